@@ -249,7 +249,8 @@ class CoxeterTriangulation:
                 if level[j] < 0:
                     beyond.append(j)
         coordinates = tuple(m * x for m, x in zip(self.marks, level, strict=True))
-        return Folding(self.simplex.point(coordinates), coordinates, tuple(word))
+        image = (RationalMatrix.from_rows([coordinates]) @ self._vertices).row(0)
+        return Folding(image, coordinates, tuple(word))
 
     def unfold(self, word: Sequence[int], point: Sequence[Fraction]) -> Vector:
         """Undo the reflections of a word: the inverse of `fold`."""

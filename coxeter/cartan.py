@@ -1,7 +1,7 @@
 """Diagrams as sparse tables of Cartan integers, and what can be read off them node by node.
 
-``neighbours[i][j]`` is the Cartan integer n(s_i, s_j) = 2<s_i, s_j>/<s_j, s_j>, for the pairs i != j where it is
-not zero. A connected diagram whose form is positive definite is a tree, so Gaussian elimination
+``neighbours[i][j]`` is the Cartan integer n(s_i, s_j) = 2<s_i, s_j>/<s_j, s_j>, for the pairs i != j
+where it is not zero. A connected diagram whose form is positive definite is a tree, so Gaussian elimination
 from its leaves inwards has no fill-in: everything here costs as much as the diagram has nodes.
 """
 

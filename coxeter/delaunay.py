@@ -22,7 +22,7 @@ from fractions import Fraction
 
 from .affine import CoxeterTriangulation, Vector
 from .errors import InvalidInput
-from .exact import Surd, sqrt
+from .exact import Surd, rational, sqrt
 from .simplex import Position, Simplex, position
 
 
@@ -171,7 +171,7 @@ def vertices_by_distance(triangulation: CoxeterTriangulation) -> Iterator[tuple[
     simplex, facets = triangulation.simplex, triangulation.facets
     if not is_self_centred(simplex):
         raise InvalidInput(f"{triangulation.name} is not self-centred: its vertices have no such order")
-    centre = simplex.circumcentre
+    centre = [rational(x) for x in simplex.circumcentre]
     heap = [(simplex.squared_circumradius, vertex) for vertex in simplex.vertex_matrix.rows()]
     heapq.heapify(heap)
     seen = {vertex for _, vertex in heap}
@@ -183,5 +183,5 @@ def vertices_by_distance(triangulation: CoxeterTriangulation) -> Iterator[tuple[
                 image = facet.reflect(vertex)
                 if image not in seen:
                     seen.add(image)
-                    distance = sum((a - b) ** 2 for a, b in zip(image, centre, strict=True))  # type: ignore[operator, misc]
-                    heapq.heappush(heap, (Fraction(distance), image))
+                    squares = ((a - b) ** 2 for a, b in zip(image, centre, strict=True))
+                    heapq.heappush(heap, (sum(squares, Fraction(0)), image))

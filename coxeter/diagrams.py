@@ -10,6 +10,7 @@ from __future__ import annotations
 
 from enum import Enum
 from functools import lru_cache
+from itertools import pairwise
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
@@ -21,8 +22,6 @@ from .roots import RootSystem
 if TYPE_CHECKING:
     import networkx as nx
     from sympy.polys.matrices import DomainMatrix
-
-    Graph = nx.Graph[Any]
 
 INFINITE = 0
 """The label of an edge between parallel walls, m = infinity, written 0."""
@@ -39,7 +38,7 @@ class Definiteness(Enum):
     INDEFINITE = "indefinite"
 
 
-def cartan_matrix(graph: Graph) -> np.ndarray:
+def cartan_matrix(graph: nx.Graph) -> np.ndarray:
     """The Cartan matrix 2I - A of a graph without loops, in the order of its nodes (Definition 2).
 
     >>> import networkx as nx
@@ -50,10 +49,11 @@ def cartan_matrix(graph: Graph) -> np.ndarray:
 
     if any(nx.selfloop_edges(graph)):
         raise InvalidInput("the graph has a loop; a Cartan matrix is defined for graphs without")
-    return 2 * np.eye(len(graph), dtype=np.int64) - nx.to_numpy_array(graph, weight=None, dtype=np.int64)
+    adjacency = np.asarray(nx.to_numpy_array(graph, weight=None, dtype=np.int64))
+    return 2 * np.eye(len(graph), dtype=np.int64) - adjacency
 
 
-def bilinear_form(graph: Graph) -> DomainMatrix:
+def bilinear_form(graph: nx.Graph) -> DomainMatrix:
     """The symmetric form of a Coxeter diagram, 2 on the diagonal and -2·cos(pi/m) on its edges.
 
     For a diagram without labels it is the Cartan matrix of Definition 2. It is a SymPy
@@ -80,7 +80,7 @@ def bilinear_form(graph: Graph) -> DomainMatrix:
     return DomainMatrix.from_list_sympy(len(graph), len(graph), rows).convert_to(domain)
 
 
-def inertia(graph: Graph) -> tuple[int, int, int]:
+def inertia(graph: nx.Graph) -> tuple[int, int, int]:
     """The numbers of positive, zero and negative eigenvalues of the form of a diagram, exactly.
 
     The characteristic polynomial of a symmetric matrix has real roots only, so Descartes' rule of
@@ -96,7 +96,7 @@ def inertia(graph: Graph) -> tuple[int, int, int]:
     signs = [_sign(form.domain, c) for c in form.charpoly()]
     zero = len(signs) - 1 - max(i for i, s in enumerate(signs) if s)
     nonzero = [s for s in signs if s]
-    positive = sum(a != b for a, b in zip(nonzero, nonzero[1:], strict=False))
+    positive = sum(a != b for a, b in pairwise(nonzero))
     return positive, zero, len(graph) - positive - zero
 
 
@@ -106,7 +106,7 @@ def _sign(domain: Any, value: Any) -> int:
     return surd(domain.to_sympy(value)).sign()
 
 
-def definiteness(graph: Graph) -> Definiteness:
+def definiteness(graph: nx.Graph) -> Definiteness:
     """Whether the form of a diagram is positive definite, semidefinite or indefinite, exactly.
 
     >>> import networkx as nx
@@ -124,7 +124,7 @@ def definiteness(graph: Graph) -> Definiteness:
 _LABEL_OF = {value: label for label, value in _LABELS.items()}
 
 
-def coxeter_diagram(system: RootSystem) -> Graph:
+def coxeter_diagram(system: RootSystem) -> nx.Graph:
     """The Coxeter diagram of a root system (Definition 8).
 
     Nodes are 1 … d, one for each simple root, with its mark as ``mark`` and its squared length as
@@ -140,7 +140,7 @@ def coxeter_diagram(system: RootSystem) -> Graph:
     return graph
 
 
-def affine_diagram(system: RootSystem) -> Graph:
+def affine_diagram(system: RootSystem) -> nx.Graph:
     """The Coxeter diagram of the affine Weyl group (Definition 17): node 0 is minus the highest root.
 
     >>> from coxeter.roots import root_system
@@ -149,7 +149,7 @@ def affine_diagram(system: RootSystem) -> Graph:
     """
     import networkx as nx
 
-    graph: Graph = nx.Graph(name=system.type.affine)
+    graph: nx.Graph = nx.Graph(name=system.type.affine)
     products = system._affine_products
     for i, mark in enumerate((1, *system.marks)):
         graph.add_node(i, mark=mark, squared_length=products[i][i])
@@ -164,7 +164,7 @@ def affine_diagram(system: RootSystem) -> Graph:
 
 
 @lru_cache(maxsize=256)
-def _candidates(nodes: int, affine: bool) -> tuple[tuple[str, Graph], ...]:
+def _candidates(nodes: int, affine: bool) -> tuple[tuple[str, nx.Graph], ...]:
     """The connected finite, or affine, diagrams with a given number of nodes, with their names."""
     rank = nodes - 1 if affine else nodes
     low = MINIMAL_DIMENSION if affine else MINIMAL_RANK
@@ -177,7 +177,7 @@ def _candidates(nodes: int, affine: bool) -> tuple[tuple[str, Graph], ...]:
     return tuple((name(kind), draw(RootSystem(kind))) for kind in kinds)
 
 
-def classify(graph: Graph) -> str | None:
+def classify(graph: nx.Graph) -> str | None:
     """The name of a connected Coxeter diagram, finite (``"B3"``) or affine (``"B~3"``), or None.
 
     None means that the form is indefinite: the group is neither a Weyl group nor an affine one.
@@ -208,7 +208,7 @@ def classify(graph: Graph) -> str | None:
     raise AssertionError(f"the classification misses a diagram: {sorted(graph.edges(data='m'))}")
 
 
-def main_line(graph: Graph) -> list[int]:
+def main_line(graph: nx.Graph) -> list[int]:
     """The nodes of a longest path through a diagram that is a tree, or once round a cycle."""
     import networkx as nx
 
@@ -216,11 +216,11 @@ def main_line(graph: Graph) -> list[int]:
         return [edge[0] for edge in nx.find_cycle(graph, source=min(graph))]
     far = max(nx.single_source_shortest_path_length(graph, min(graph)).items(), key=lambda x: x[1])[0]
     lengths = nx.single_source_shortest_path_length(graph, far)
-    path = nx.shortest_path(graph, far, max(lengths, key=lambda v: (lengths[v], v)))
+    path: list[int] = nx.shortest_path(graph, far, max(lengths, key=lambda v: (lengths[v], v)))
     return path if path[0] <= path[-1] else path[::-1]
 
 
-def as_text(graph: Graph, attribute: str | None = None) -> str:
+def as_text(graph: nx.Graph, attribute: str | None = None) -> str:
     """A diagram drawn with letters: the longest path on one line, its arms above and below.
 
     Nodes show their numbers, or the attribute asked for (``"mark"``).

@@ -15,6 +15,7 @@ from collections.abc import Sequence
 from dataclasses import dataclass
 from fractions import Fraction
 from functools import cached_property
+from itertools import pairwise
 
 import numpy as np
 
@@ -101,7 +102,8 @@ class RootSystem:
     @cached_property
     def _products(self) -> dict[int, dict[int, Fraction]]:
         """``_products[i][j]`` is <s_i, s_j>, for the pairs where it is not zero."""
-        s, columns = self.simple_roots, {}
+        s = self.simple_roots
+        columns: dict[int, list[tuple[int, int]]] = {}
         for i, c in zip(*np.nonzero(s.numerators), strict=True):
             columns.setdefault(int(c), []).append((int(i), int(s.numerators[i, c])))
         total: dict[int, dict[int, int]] = {i: {} for i in range(self.rank)}
@@ -238,7 +240,7 @@ class RootSystem:
 
     @cached_property
     def affine_neighbours(self) -> dict[int, dict[int, int]]:
-        """The Cartan integers n(s_i, s_j) that are not zero, i != j, for nodes 0 … d; s_0 is -(highest root)."""
+        """The non-zero Cartan integers n(s_i, s_j), i != j, for nodes 0 … d; s_0 is -(highest root)."""
         products = self._affine_products
         return {
             i: {j: int(2 * x / products[j][j]) for j, x in row.items() if j != i}
@@ -263,8 +265,9 @@ class RootSystem:
             rows, js = np.nonzero(pairing < 0)
             higher = level[rows]
             higher[np.arange(len(rows)), js] -= pairing[rows, js]
-            fresh = [row for row in higher if not (row.tobytes() in seen or seen.add(row.tobytes()))]
-            level = np.array(fresh, dtype=np.int64).reshape(-1, self.rank)
+            fresh = {row.tobytes(): row for row in higher if row.tobytes() not in seen}
+            seen |= fresh.keys()
+            level = np.array(list(fresh.values()), dtype=np.int64).reshape(-1, self.rank)
             found.append(level)
         roots = np.concatenate(found)
         return roots[np.lexsort((*-roots.T[::-1], roots.sum(axis=1)))]
@@ -314,11 +317,7 @@ class RootSystem:
         (1, 5, 7, 11)
         """
         at_height = [self.heights.count(h) for h in range(1, max(self.heights) + 2)]
-        return tuple(
-            h
-            for h, (here, above) in enumerate(zip(at_height, at_height[1:], strict=False), 1)
-            for _ in range(here - above)
-        )
+        return tuple(h for h, (here, above) in enumerate(pairwise(at_height), 1) for _ in range(here - above))
 
     def coordinates(self, vector: Sequence[object]) -> tuple[Fraction, ...]:
         """The coordinates of a vector in the basis of simple roots.

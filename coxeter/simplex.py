@@ -79,7 +79,7 @@ class Simplex:
         rank = self.edge_gram.rank()
         if rank < len(points) - 1:
             raise DegenerateSimplex(
-                f"{len(points)} points that span only {rank} dimensions are no simplex: "
+                f"{len(points)} points whose affine hull has dimension {rank} are no simplex: "
                 f"they must be affinely independent"
             )
         self.gram_determinant = self.edge_gram.det()

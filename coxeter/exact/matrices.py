@@ -34,9 +34,9 @@ def _magnitude(a: np.ndarray) -> int:
 
 def integer_product(a: np.ndarray, b: np.ndarray) -> np.ndarray:
     """The product of integer arrays, exact whatever the size of the entries."""
-    if a.dtype != object and b.dtype != object:
-        if _magnitude(a) * _magnitude(b) * a.shape[-1] < INT64_SAFE:
-            return np.asarray(a @ b)
+    native = a.dtype != object and b.dtype != object
+    if native and _magnitude(a) * _magnitude(b) * a.shape[-1] < INT64_SAFE:
+        return np.asarray(a @ b)
     return narrow(np.asarray(a.astype(object) @ b.astype(object)))
 
 
@@ -131,17 +131,9 @@ class RationalMatrix:
         """The rank."""
         return int(self._flint.rank())
 
-    def independent_rows(self, count: int) -> np.ndarray | None:
-        """The numerators of the first ``count`` linearly independent rows, or None if there are fewer."""
-        echelon, _, rank = self.T._flint.rref()
-        if rank < count:
-            return None
-        rows = np.array([[x != 0 for x in row] for row in echelon.tolist()[:count]])
-        return self.numerators[rows.argmax(axis=1)]
-
     def inverse(self) -> RationalMatrix:
         """The inverse; raises `ZeroDivisionError` if there is none."""
-        numerators, denominator = self._flint.inv().numer_denom()
+        numerators, denominator = flint.fmpq_mat(self._flint).inv().numer_denom()
         entries = np.array([int(n) for n in numerators.entries()], dtype=object).reshape(self.shape)
         sign = -1 if denominator < 0 else 1
         return RationalMatrix(narrow(entries * (sign * self.denominator)), abs(int(denominator)))

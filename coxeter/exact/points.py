@@ -20,7 +20,7 @@ def read_points(vertices: Sequence[Sequence[object]]) -> tuple[tuple[Exact, ...]
     ]
     if any(not isinstance(row, list) for row in rows):
         raise InvalidInput("vertices are points: give a list of lists of coordinates")
-    lengths = {len(row) for row in rows}  # type: ignore[arg-type]
+    lengths = {len(row) for row in rows}
     if len(rows) < 2 or len(lengths) != 1:
         raise InvalidInput(
             f"{len(rows)} vertices with {sorted(lengths)} coordinates: "

@@ -117,8 +117,10 @@ def reduce(num: Terms, den: Terms) -> tuple[Terms, Terms]:
     if common > 1:
         scale: Terms = ((common, Fraction(1, common)),)
         num, den = times(num, scale), times(den, scale)
-    numerators, denominators = [q.numerator for _, q in den], [q.denominator for _, q in den]
-    content: Terms = ((1, Fraction(math.lcm(*denominators), math.gcd(*numerators)) * sign(den)),)
+    coefficients = [q for _, q in (*num, *den)]
+    integral = math.lcm(*(q.denominator for q in coefficients))
+    shared = math.gcd(*(int(q * integral) for q in coefficients))
+    content: Terms = ((1, Fraction(integral, shared) * sign(den)),)
     return times(num, content), times(den, content)
 
 

@@ -284,8 +284,8 @@ class Surd:
         if not self:
             return "0"
         with flint.ctx.workprec(64):
-            exponent = int((abs(self)._enclosure().log() / flint.arb(10).log()).mid().floor().unique_fmpz())
-        for e in (exponent - 1, exponent, exponent + 1):  # the logarithm may be off by one
+            guess = math.floor(float((abs(self)._enclosure().log() / flint.arb(10).log()).mid()))
+        for e in (guess - 1, guess, guess + 1):  # the exponent is the least that leaves enough digits
             n = abs(self)._scaled_integer(Fraction(10) ** (digits - 1 - e))
             if n < 10**digits:
                 text = str(n)
