@@ -50,7 +50,7 @@ def cartan_matrix(graph: nx.Graph) -> np.ndarray:
     if any(nx.selfloop_edges(graph)):
         raise InvalidInput("the graph has a loop; a Cartan matrix is defined for graphs without")
     adjacency = np.asarray(nx.to_numpy_array(graph, weight=None, dtype=np.int64))
-    return 2 * np.eye(len(graph), dtype=np.int64) - adjacency
+    return np.asarray(2 * np.eye(len(graph), dtype=np.int64) - adjacency)
 
 
 def bilinear_form(graph: nx.Graph) -> DomainMatrix:

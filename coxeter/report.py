@@ -9,7 +9,7 @@ from __future__ import annotations
 
 import json
 import re
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 from fractions import Fraction
 from typing import Any
@@ -88,6 +88,38 @@ def triangulation_data(triangulation: CoxeterTriangulation) -> dict[str, Any]:
         "vertex_set_is_lattice": lattice.is_lattice,
         "lattice_reason": str(lattice),
     }
+
+
+class Facts:
+    """Named exact values, for a notebook to show: typeset exactly, with decimals beside.
+
+    Parameters
+    ----------
+    values
+        A mapping from names (LaTeX) to exact numbers; keywords serve for plain names.
+
+    >>> Facts({"h": surd("sqrt(2)/4")}, L=1)
+    h = sqrt(2)/4 ≈ 0.353553
+    L = 1
+    """
+
+    def __init__(self, values: Mapping[str, object] | None = None, /, **named: object) -> None:
+        self.values = {name: surd(x) for name, x in {**(values or {}), **named}.items()}
+
+    def __repr__(self) -> str:
+        return "\n".join(f"{name} = {x}{_approximately(x)}" for name, x in self.values.items())
+
+    def _repr_html_(self) -> str:
+        rows = "".join(
+            rf"<tr><td>\({name}\)</td><td>\({x.latex()}\)</td><td>{_approximately(x)}</td></tr>"
+            for name, x in self.values.items()
+        )
+        table = f'<table class="facts"><tbody>{rows}</tbody></table>'
+        return f'<div class="table-box tex2jax_process">{table}</div>'
+
+
+def _approximately(x: Surd) -> str:
+    return "" if x.is_rational and x.as_fraction().denominator == 1 else f" ≈ {_short(x)}"
 
 
 @dataclass(frozen=True)
