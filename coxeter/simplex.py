@@ -157,6 +157,13 @@ class Simplex:
         e = self.squared_edge_lengths
         return Fraction(int(e.numerators.max()), e.denominator)
 
+    @cached_property
+    def squared_shortest_edge(self) -> Fraction:
+        """The square of the shortest edge length."""
+        e = self.squared_edge_lengths
+        off_diagonal = ~np.eye(self.dimension + 1, dtype=bool)
+        return Fraction(int(e.numerators[off_diagonal].min()), e.denominator)
+
     @property
     def longest_edge(self) -> Surd:
         """L, the length of a longest edge (Definition 18)."""
@@ -256,13 +263,14 @@ class Simplex:
     @cached_property
     def incentre(self) -> tuple[Surd, ...]:
         """The centre of the inscribed ball: vertex k has the weight of one over its height."""
-        weights = [sqrt(1 / x) for x in self.squared_heights]
+        parts: dict[int, dict[int, Fraction]] = {}  # radicand -> vertex -> rational factor
+        for k, square in enumerate(self.squared_heights):
+            ((radicand, factor),) = sqrt(1 / square).num
+            parts.setdefault(radicand, {})[k] = factor
         total = self._sum_of_inverse_heights
-        columns = zip(*self.vertices, strict=True)
-        return tuple(
-            sum((w * x for w, x in zip(weights, column, strict=True) if x), Surd(0)) / total
-            for column in columns
-        )
+        weights = {n: [w.get(k, Fraction(0)) for k in range(self.dimension + 1)] for n, w in parts.items()}
+        points = [[sqrt(n) * x for x in self.point(w)] for n, w in weights.items()]
+        return tuple(sum(column, Surd(0)) / total for column in zip(*points, strict=True))
 
     # -- points -------------------------------------------------------------------------------------
 
