@@ -1,0 +1,12 @@
+"""Settings of the property tests.
+
+``pytest`` tries the same examples each time; ``pytest --hypothesis-profile=search`` looks for new ones.
+"""
+
+from hypothesis import HealthCheck, settings
+
+COMMON = {"deadline": None, "suppress_health_check": [HealthCheck.too_slow], "database": None}
+
+settings.register_profile("default", max_examples=40, derandomize=True, **COMMON)
+settings.register_profile("search", max_examples=1000, **COMMON)
+settings.load_profile("default")
