@@ -41,6 +41,8 @@ def triangulation(name: object) -> CoxeterTriangulation:
     InvalidType
         If there is no such triangulation; in particular B~ needs d >= 3, D~ needs d >= 4.
 
+    Examples
+    --------
     >>> triangulation("C~2").simplex.vertex_matrix
     RationalMatrix([[0, 0], [1/2, 0], [1/2, 1/2]])
     """
@@ -232,6 +234,8 @@ class CoxeterTriangulation:
         InvalidInput
             If the point has the wrong length or lies outside the span of the roots.
 
+        Examples
+        --------
         >>> triangulation("C~2").fold((1, 1)).word
         (0, 1, 0)
         """

@@ -62,7 +62,7 @@ def determinant(neighbours: Neighbours) -> int:
 
 
 def longest(neighbours: Neighbours) -> int:
-    """A node whose simple root is among the longest: |s_i|²/|s_j|² = n(s_i, s_j)/n(s_j, s_i)."""
+    """A node whose simple root is among the longest: ``|s_i|²/|s_j|² = n(s_i, s_j)/n(s_j, s_i)``."""
     order, parent = walk(neighbours, min(neighbours))
     length = {order[0]: Fraction(1)}
     for i in order[1:]:

@@ -2,14 +2,14 @@
 
 Everything follows from one identity. Let s be the reflection in a facet of a simplex, at distance t
 from the circumcentre c (negative if c lies beyond the facet), and let h be the height from the
-opposite vertex u. Then  |s(u) - c|² = R² + 4·h·t = R² + 4·λ·h²,  with λ the barycentric coordinate of c.
+opposite vertex u. Then ``|s(u) - c|² = R² + 4·h·t = R² + 4·λ·h²``, with λ the barycentric coordinate of c.
 
 *If the fundamental simplex contains its circumcentre*, a reflection in one of its facets never
 brings a point of the simplex's side closer to c. Each vertex v outside the simplex is carried to one
 of its vertices u_k by reflections in facets, each of which brings it closer to c or leaves it at its
 distance; the last that moves it is the reflection in facet k, as u_k lies on all other facets. So
 the vertices nearest to c outside the simplex are among the d + 1 mirror images s_k(u_k), and
-R'² = R² + 4·min λ_k·h_k².  *If it does not*, some λ_k is negative and s_k(u_k) is a vertex of the
+``R'² = R² + 4·min λ_k·h_k²``.  *If it does not*, some λ_k is negative and s_k(u_k) is a vertex of the
 triangulation strictly inside the circumsphere: the triangulation is not Delaunay.
 """
 
@@ -163,6 +163,8 @@ def vertices_by_distance(triangulation: CoxeterTriangulation) -> Iterator[tuple[
     InvalidInput
         If the fundamental simplex is not self-centred: its reflections then may lead inwards.
 
+    Examples
+    --------
     >>> from coxeter.affine import triangulation
     >>> from itertools import islice
     >>> [str(square) for square, _ in islice(vertices_by_distance(triangulation("A~2")), 8)]

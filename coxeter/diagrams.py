@@ -188,6 +188,8 @@ def classify(graph: nx.Graph) -> str | None:
     InvalidInput
         If the graph is empty or not connected.
 
+    Examples
+    --------
     >>> import networkx as nx
     >>> classify(nx.path_graph(5)), classify(nx.cycle_graph(5)), classify(nx.complete_graph(5))
     ('A5', 'A~4', None)

@@ -85,6 +85,8 @@ def measure(
     InvalidInput
         If the name is taken.
 
+    Examples
+    --------
     >>> @measure("edge ratio")
     ... def edge_ratio(simplex):
     ...     e = simplex.squared_edge_lengths

@@ -98,6 +98,8 @@ class Facts:
     values
         A mapping from names (LaTeX) to exact numbers; keywords serve for plain names.
 
+    Examples
+    --------
     >>> Facts({"h": surd("sqrt(2)/4")}, L=1)
     h = sqrt(2)/4 ≈ 0.353553
     L = 1
@@ -193,7 +195,7 @@ def _metric_sections(simplex: Simplex) -> Sequence[tuple[str, tuple[str, ...]]]:
 
 
 def _short(x: Surd) -> str:
-    return x.decimal(6) if x >= Fraction(1, 1000) or not x else x.scientific(7)
+    return x.decimal(6) if abs(x) >= Fraction(1, 1000) or not x else x.scientific(7)
 
 
 def _verdict_lines(triangulation: CoxeterTriangulation) -> tuple[str, ...]:

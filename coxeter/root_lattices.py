@@ -25,6 +25,8 @@ class Lattice:
     basis
         The basis vectors as rows; `Lattice.spanned_by` reads them and checks their independence.
 
+    Examples
+    --------
     >>> square = Lattice(RationalMatrix.identity(2))
     >>> (2, 3) in square, ("1/2", 0) in square
     (True, False)

@@ -118,7 +118,7 @@ def cartan_integer(s: Sequence[object], r: Sequence[object]) -> Fraction:
 
 @dataclass(frozen=True, order=True)
 class AnglePair:
-    """How two roots r and s with |s| >= |r| can lie: one row of the table after Definition 7.
+    """How two roots r and s with ``|s| >= |r|`` can lie: one row of the table after Definition 7.
 
     Attributes
     ----------
@@ -129,7 +129,7 @@ class AnglePair:
     angle
         The angle as a multiple of pi.
     ratio
-        |s| / |r|, or None where orthogonality leaves it open.
+        ``|s|/|r|``, or None where orthogonality leaves it open.
     """
 
     product: int

@@ -40,6 +40,8 @@ def root_system(name: object) -> RootSystem:
     InvalidType
         If there is no such root system.
 
+    Examples
+    --------
     >>> root_system("B3").simple_roots
     RationalMatrix([[1, -1, 0], [0, 1, -1], [0, 0, 1]])
     """

@@ -223,7 +223,7 @@ class Simplex:
     def circumcentre_coordinates(self) -> tuple[Fraction, ...]:
         """The barycentric coordinates of the circumcentre; they are rational.
 
-        With q_k = |u_k - u_0|², coordinate j is [j = 0] + ½ Σ_k q_k Γ_kj.
+        With ``q_k = |u_k - u_0|²``, coordinate j is ``[j = 0] + ½ Σ_k q_k Γ_kj``.
         """
         g, q = self.gradient_gram, self._squared_from_first()
         sums = integer_product(g.numerators[:, 1:], q)

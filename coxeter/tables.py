@@ -12,6 +12,7 @@ import io
 import json
 from collections.abc import Callable
 from dataclasses import dataclass
+from fractions import Fraction
 
 from .affine import CoxeterTriangulation
 from .delaunay import delaunay_verdict, protection
@@ -59,7 +60,8 @@ class Table:
         format
             The format. JSON gives each exact value as an object with ``exact`` and ``decimal``.
         digits
-            Digits after the point of the decimals, correctly rounded.
+            Digits after the point of the decimals, correctly rounded (a tie to the even digit); numbers
+        that would lose all digits are given in scientific notation.
         exact
             Write the exact values instead of decimals.
 
@@ -111,7 +113,8 @@ def _writer(digits: int, exact: bool, latex: bool) -> Callable[[Cell], str]:
         if not isinstance(cell, Surd):
             return cell or ""
         if not exact:
-            return cell.decimal(digits)
+            lost = cell and abs(cell) < Fraction(1, 10**digits)
+            return cell.scientific(digits + 1) if lost else cell.decimal(digits)
         return f"${cell.latex()}$" if latex else str(cell)
 
     return write
@@ -173,6 +176,8 @@ def table(number: object, max_dim: int = 8) -> Table:
     InvalidInput
         If there is no such table, or the dimension is less than 2.
 
+    Examples
+    --------
     >>> print(table(6, max_dim=4).render("csv"))
     family,2,3,4
     A~,1.000,0.866,0.816

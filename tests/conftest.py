@@ -1,12 +1,15 @@
 """Settings of the property tests.
 
-``pytest`` tries the same examples each time; ``pytest --hypothesis-profile=search`` looks for new ones.
+``pytest`` tries the same examples each time. ``pytest --hypothesis-profile=search`` looks for new ones, and
+for the smallest that fails.
 """
 
-from hypothesis import HealthCheck, settings
+from hypothesis import HealthCheck, Phase, settings
 
 COMMON = {"deadline": None, "suppress_health_check": [HealthCheck.too_slow], "database": None}
 
-settings.register_profile("default", max_examples=40, derandomize=True, **COMMON)
+settings.register_profile(
+    "default", max_examples=40, derandomize=True, phases=[Phase.explicit, Phase.generate], **COMMON
+)
 settings.register_profile("search", max_examples=1000, **COMMON)
 settings.load_profile("default")

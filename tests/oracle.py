@@ -10,7 +10,7 @@ from __future__ import annotations
 import itertools
 import math
 from fractions import Fraction
-from functools import lru_cache
+from functools import cache
 
 import sympy
 from sympy import QQ
@@ -18,7 +18,7 @@ from sympy.polys.matrices import DomainMatrix
 
 HALF = Fraction(1, 2)
 
-# -- vectors and linear algebra -----------------------------------------------------------------------
+# -- vectors and linear algebra --------------------------------------------------------------------
 
 
 def dot(x, y):
@@ -65,7 +65,25 @@ def equal(number, expression):
     """Whether one of the library's numbers and a SymPy expression are equal, by clearing denominators."""
     a, b = sympy.fraction(sympy.together(number.sympy()))
     c, d = sympy.fraction(sympy.together(sympy.sympify(expression)))
-    return sympy.expand(a * d - b * c) == 0
+    return _is_zero(sympy.expand(a * d - b * c))
+
+
+def _is_zero(total):
+    """Whether a sum of rational multiples of square roots is zero: whether it is within each square class.
+
+    SymPy finds this itself, unless a radicand has a large square factor.
+    """
+    classes = []
+    for term in sympy.Add.make_args(total):
+        coefficient, root = term.as_coeff_Mul()
+        n = root**2
+        for entry in classes:
+            if (product := sympy.integer_nthroot(int(n * entry[0]), 2))[1]:
+                entry[1] += coefficient * sympy.Rational(product[0], entry[0])
+                break
+        else:
+            classes.append([n, coefficient])
+    return all(coefficient == 0 for _, coefficient in classes)
 
 
 def root_of(square):
@@ -73,7 +91,7 @@ def root_of(square):
     return sympy.sqrt(sympy.Rational(square.numerator, square.denominator))
 
 
-# -- roots -------------------------------------------------------------------------------------------
+# -- roots -----------------------------------------------------------------------------------------
 
 
 def _unit(n, *signed):
@@ -81,7 +99,7 @@ def _unit(n, *signed):
     return tuple(Fraction(sum((i > 0) - (i < 0) for i in signed if abs(i) == k)) for k in range(1, n + 1))
 
 
-@lru_cache(maxsize=None)
+@cache
 def simple_roots(letter, d):
     """Bourbaki, Lie, VI, Planches I to IX."""
     n = {"A": d + 1, "E": 8, "G": 3}.get(letter, d)
@@ -120,13 +138,13 @@ def orbit(start, mirrors):
     return seen
 
 
-@lru_cache(maxsize=None)
+@cache
 def roots(letter, d):
     simple = simple_roots(letter, d)
     return frozenset(orbit(simple, simple))
 
 
-@lru_cache(maxsize=None)
+@cache
 def level_vector(letter, d):
     """The vector of the span that has inner product 1 with each simple root: it measures heights."""
     simple = simple_roots(letter, d)
@@ -134,7 +152,7 @@ def level_vector(letter, d):
     return solve([*simple, *extra], [1] * d + [0] * len(extra))
 
 
-@lru_cache(maxsize=None)
+@cache
 def highest_root(letter, d):
     level = level_vector(letter, d)
     return max(roots(letter, d), key=lambda r: dot(level, r))
@@ -155,7 +173,7 @@ def coroot(r):
     return tuple(2 * x / dot(r, r) for x in r)
 
 
-# -- the fundamental simplex -----------------------------------------------------------------------------
+# -- the fundamental simplex -----------------------------------------------------------------------
 
 
 def facet_equations(letter, d):
@@ -163,7 +181,7 @@ def facet_equations(letter, d):
     return [(highest_root(letter, d), 1), *((s, 0) for s in simple_roots(letter, d))]
 
 
-@lru_cache(maxsize=None)
+@cache
 def vertices(letter, d):
     """Vertex k lies on all facets but facet k."""
     equations = facet_equations(letter, d)
@@ -172,11 +190,14 @@ def vertices(letter, d):
     return tuple(solve([n for n, _ in rows], [b for _, b in rows]) for rows in systems)
 
 
-# -- any simplex, from its vertices -----------------------------------------------------------------------
+# -- any simplex, from its vertices ----------------------------------------------------------------
 
 
 def squared_edges(points):
-    return {(i, j): squared_distance(points[i], points[j]) for i, j in itertools.combinations(range(len(points)), 2)}
+    return {
+        (i, j): squared_distance(points[i], points[j])
+        for i, j in itertools.combinations(range(len(points)), 2)
+    }
 
 
 def squared_volume(points):
@@ -240,16 +261,18 @@ def incentre(points):
     total = sympy.Add(*weights)
     columns = zip(*points, strict=True)
     return [
-        sympy.Add(*(w * sympy.Rational(x.numerator, x.denominator) for w, x in zip(weights, column, strict=True)))
+        sympy.Add(
+            *(w * sympy.Rational(x.numerator, x.denominator) for w, x in zip(weights, column, strict=True))
+        )
         / total
         for column in columns
     ]
 
 
-# -- the whole triangulation, in a ball -------------------------------------------------------------------
+# -- the whole triangulation, in a ball ------------------------------------------------------------
 
 
-@lru_cache(maxsize=None)
+@cache
 def coroot_vectors(letter, d, squared_radius):
     """All vectors of the coroot lattice in a ball about 0.
 

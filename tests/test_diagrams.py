@@ -83,7 +83,7 @@ def name_in_the_list(graph):
     return names[0] if names else None
 
 
-# -- forms and definiteness -------------------------------------------------------------------------------
+# -- forms and definiteness ------------------------------------------------------------------------
 
 
 def principal_minors(matrix):
@@ -128,7 +128,10 @@ def test_inertia_is_the_signs_of_the_eigenvalues():
 def test_a_subdiagram_of_a_finite_diagram_is_finite():
     for graph in UP_TO_SIX:
         if definiteness(graph) is Definiteness.POSITIVE_DEFINITE:
-            assert all(definiteness(graph.subgraph(set(graph) - {v})) is Definiteness.POSITIVE_DEFINITE for v in graph)
+            assert all(
+                definiteness(graph.subgraph(set(graph) - {v})) is Definiteness.POSITIVE_DEFINITE
+                for v in graph
+            )
 
 
 @pytest.mark.parametrize(("label", "cosine"), [(3, 1), (4, 2), (6, 3), (INFINITE, 4)])
@@ -153,7 +156,7 @@ def test_the_form_of_the_affine_diagram_has_the_marks_in_its_kernel(kind):
     assert all(sympy.expand(x) == 0 for x in form * sympy.Matrix(weights))
 
 
-# -- classification ----------------------------------------------------------------------------------------
+# -- classification --------------------------------------------------------------------------------
 
 
 @lru_cache
@@ -170,8 +173,12 @@ def test_unlabelled_graphs_are_classified_completely(n):
 
 @pytest.mark.parametrize("n", range(1, 8))
 def test_exactly_a_d_e_are_among_the_unlabelled_graphs(n):
-    affine = {kind.affine for kind in triangulations_up_to(n - 1) if kind.rank == n - 1 and kind.letter in "ADE"}
-    finite = {f"A{n}"} | {kind.finite for kind in triangulations_up_to(n) if kind.rank == n and kind.letter in "DE"}
+    affine = {
+        kind.affine for kind in triangulations_up_to(n - 1) if kind.rank == n - 1 and kind.letter in "ADE"
+    }
+    finite = {f"A{n}"} | {
+        kind.finite for kind in triangulations_up_to(n) if kind.rank == n and kind.letter in "DE"
+    }
     assert sorted(name for _, name in names(n) if name) == sorted(affine | finite)
 
 
@@ -238,7 +245,7 @@ def test_loops_are_refused(question):
         question(nx.Graph([(1, 2), (2, 2)]))
 
 
-# -- drawing ----------------------------------------------------------------------------------------------
+# -- drawing ---------------------------------------------------------------------------------------
 
 DRAWINGS = {
     "A~2": """

@@ -1,13 +1,9 @@
-"""Exact numbers against SymPy, mpmath and integer arithmetic."""
+"""Exact numbers against SymPy and integer arithmetic: values, order and decimals."""
 
-import copy
 import decimal
 import math
-import pickle
 from fractions import Fraction
 
-import flint
-import mpmath
 import numpy as np
 import pytest
 import sympy
@@ -16,18 +12,17 @@ from hypothesis import strategies as st
 from oracle import equal
 from strategies import nonzero_fractions, quotients, small_fractions, sums_of_roots
 
-from coxeter import InexactInput, InvalidInput, RationalMatrix, Surd, rational, sqrt, surd
+from coxeter import Surd, sqrt
 
 BIG = 1009  # the first prime that trial division does not try
 NEAR = sqrt(10**40 + 1) - 10**20  # about 5e-21: all digits cancel at ordinary precision
 
 
 def high_precision(expression):
-    with mpmath.workdps(120):
-        return expression.evalf(120)
+    return expression.evalf(120)
 
 
-# -- arithmetic ---------------------------------------------------------------------------------------
+# -- arithmetic ------------------------------------------------------------------------------------
 
 
 @given(sums_of_roots(), sums_of_roots())
@@ -80,6 +75,11 @@ def test_dividing_by_itself_gives_one(a):
         assert 1 / (1 / a[0]) == a[0]
 
 
+def test_a_number_does_not_grow_when_nothing_happens_to_it():
+    x = 1 / (sqrt(2 * 10007) + sqrt(3 * 10007))
+    assert max(n for n, _ in (x * 1).den) <= max(n for n, _ in x.den) <= 3 * 10007
+
+
 def test_fractions_and_numpy_integers_may_stand_on_either_side():
     root = sqrt(3)
     assert Fraction(1, 2) * root == root / 2 == root * Fraction(1, 2)
@@ -100,7 +100,7 @@ def test_division_by_zero(zero):
         1 / zero
 
 
-# -- equality and hashing --------------------------------------------------------------------------------
+# -- equality and hashing --------------------------------------------------------------------------
 
 
 EQUAL = [
@@ -175,7 +175,7 @@ def test_zero_is_false_and_nothing_else():
     assert NEAR
 
 
-# -- order ---------------------------------------------------------------------------------------------
+# -- order -----------------------------------------------------------------------------------------
 
 
 @given(quotients(), quotients())
@@ -202,7 +202,7 @@ def test_the_sign_of_a_tiny_difference(n):
     assert 0 < tiny < Fraction(1, 10**n)
 
 
-# -- decimals -------------------------------------------------------------------------------------------
+# -- decimals --------------------------------------------------------------------------------------
 
 
 def is_nearest(x, candidate, spacing):
@@ -288,7 +288,8 @@ def test_a_tie_that_hides_in_surds_is_found(quarter):
 
 
 @pytest.mark.parametrize(
-    "x", [sqrt(2), sqrt(2) / 10**400, 7**900 * sqrt(3), sqrt(99999), Surd("1/3"), Surd(10**20), sqrt(10**60 - 1)]
+    "x",
+    [sqrt(2), sqrt(2) / 10**400, 7**900 * sqrt(3), sqrt(99999), Surd("1/3"), Surd(10**20), sqrt(10**60 - 1)],
 )
 @pytest.mark.parametrize("digits", [2, 3, 17, 30])
 def test_scientific_notation_agrees_with_the_decimal_module(x, digits):
@@ -304,283 +305,3 @@ def test_scientific_notation_of_special_values():
     assert Surd("9.999").scientific(3) == "1.00e+01"
     assert NEAR.scientific(5) == "5.0000e-21"
     assert float(sqrt(2).scientific(1)) == 1.0
-
-
-# -- printing and reading ---------------------------------------------------------------------------------
-
-
-@given(quotients())
-def test_print_is_read_back_by_sympy_and_by_the_library(a):
-    assert equal(a[0], sympy.sympify(str(a[0])))
-    assert surd(str(a[0])) == a[0]
-
-
-@given(quotients(), st.integers(2, 5))
-def test_roots_are_read_back_by_sympy(a, k):
-    x = abs(a[0])
-    assert equal(x, sympy.sympify(str(x.root(k)), rational=True) ** k)
-
-
-@pytest.mark.parametrize("x", [Surd(2).root(3), (1 + sqrt(2)).root(3), Surd("2/3").root(5), sqrt(2).root(2)])
-def test_roots_are_read_back_by_the_library(x):
-    assert surd(str(x)) == x
-
-
-@given(quotients())
-def test_sympy_numbers_are_read(a):
-    assert surd(a[1]) == a[0]
-    assert surd(a[0].sympy()) == a[0]
-
-
-@pytest.mark.parametrize(
-    ("x", "text", "latex"),
-    [
-        (Surd(0), "0", "0"),
-        (sqrt(3) / 4, "sqrt(3)/4", r"\frac{\sqrt{3}}{4}"),
-        (-sqrt(3) / 4, "-sqrt(3)/4", r"-\frac{\sqrt{3}}{4}"),
-        (1 - 2 * sqrt(2) / 3, "1 - 2*sqrt(2)/3", r"1 - \frac{2\sqrt{2}}{3}"),
-        (1 / (1 + sqrt(2)), "1/(1 + sqrt(2))", r"\frac{1}{1 + \sqrt{2}}"),
-        (Surd(2).root(3), "2**(1/3)", r"2^{1/3}"),
-        (Surd("1/2").root(3), "(1/2)**(1/3)", r"\left(\frac{1}{2}\right)^{1/3}"),
-        (sqrt(72), "6*sqrt(2)", r"6\sqrt{2}"),
-    ],
-)
-def test_what_is_printed(x, text, latex):
-    assert str(x) == repr(x) == text
-    assert x.latex() == latex
-
-
-def test_integers_of_any_length_are_printed():
-    assert str(Surd(10**5000)) == "1" + "0" * 5000
-
-
-def test_a_number_is_a_value():
-    x = sqrt(2) / (1 + sqrt(3))
-    assert pickle.loads(pickle.dumps(x)) == copy.deepcopy(x) == x
-    with pytest.raises(AttributeError, match="immutable"):
-        x.index = 2
-
-
-@pytest.mark.parametrize(
-    ("value", "expected"),
-    [
-        (3, 3),
-        (Fraction(3, 4), Fraction(3, 4)),
-        (" 3/4 ", Fraction(3, 4)),
-        ("-0.75", Fraction(-3, 4)),
-        (np.int64(-7), -7),
-        (sympy.Rational(2, 3), Fraction(2, 3)),
-        (flint.fmpq(2, 3), Fraction(2, 3)),
-        (flint.fmpz(5), 5),
-        (sqrt("4/9"), Fraction(2, 3)),
-    ],
-    ids=repr,
-)
-def test_rationals_are_read(value, expected):
-    result = rational(value)
-    assert type(result) is Fraction
-    assert result == expected
-    assert surd(value) == expected
-
-
-@pytest.mark.parametrize(
-    ("text", "expected"),
-    [
-        ("sqrt(3)/4", sqrt(3) / 4),
-        ("-sqrt(1/2)", -sqrt(2) / 2),
-        ("sqrt(0.5)", sqrt(2) / 2),
-        ("1/(1 + sqrt(2))", sqrt(2) - 1),
-        ("sqrt(2)*sqrt(3) - 2", sqrt(6) - 2),
-        ("sqrt(1 + sqrt(2))", (1 + sqrt(2)).root(2)),
-    ],
-)
-def test_text_with_roots_is_read(text, expected):
-    assert surd(text) == expected
-
-
-# -- refusals ---------------------------------------------------------------------------------------------
-
-
-@pytest.mark.parametrize(
-    "value",
-    [0.5, 1.0, math.nan, math.inf, np.float64(0.5), np.float32(0.5), sympy.Float(0.5)],
-    ids=repr,
-)
-@pytest.mark.parametrize("read", [rational, surd, Surd, sqrt])
-def test_floats_are_refused_not_guessed_at(read, value):
-    with pytest.raises(InexactInput, match="is inexact: give an integer, a Fraction"):
-        read(value)
-
-
-def test_a_float_within_a_sympy_number_is_found():
-    with pytest.raises(InexactInput):
-        surd(sympy.sqrt(2) + sympy.Float(0.5))
-
-
-@pytest.mark.parametrize("value", [True, np.True_, None, 1j, [], (1,), b"1", decimal.Decimal("0.5")], ids=repr)
-@pytest.mark.parametrize("read", [rational, surd, Surd, sqrt])
-def test_what_is_no_number_of_ours_is_refused(read, value):
-    with pytest.raises((InvalidInput, InexactInput)):
-        read(value)
-
-
-@pytest.mark.parametrize("text", ["", "foo", "nan", "inf", "1/0", "0x10", "3 4", "1/2/3", "√2", "__import__('os')"])
-@pytest.mark.parametrize("read", [rational, surd])
-def test_nonsense_is_refused_and_quoted(read, text):
-    with pytest.raises(InvalidInput, match="is not a") as caught:
-        read(text)
-    assert repr(text) in str(caught.value)
-
-
-@pytest.mark.parametrize(
-    "text",
-    [
-        "sqrt",
-        "sqrt()",
-        "sqrt(2",
-        "-sqrt",
-        "sqrt.sqrt(2)",
-        "sqrt(())",
-        "sqrt(2)()",
-        "sqrt(2)sqrt(3)",
-        "sqrt(2) 3",
-        "sqrt(x)",
-        "sqrt(-2)",
-        "1/sqrt(0)",
-        "sqrt(2)/0",
-        "sqrt(2)**sqrt(2)",
-        "sqrt(2)//3",
-    ],
-)
-@pytest.mark.filterwarnings("ignore::DeprecationWarning")
-def test_nonsense_with_roots_is_refused_and_quoted(text):
-    with pytest.raises(InvalidInput) as caught:
-        surd(text)
-    assert repr(text) in str(caught.value)
-
-
-@pytest.mark.parametrize("value", [sympy.pi, sympy.I, sympy.oo, sympy.nan, sympy.zoo, sympy.Symbol("x")], ids=str)
-def test_sympy_numbers_of_another_kind_are_refused(value):
-    with pytest.raises(InvalidInput):
-        surd(value)
-
-
-@pytest.mark.parametrize("negative", [-1, Fraction(-1, 9), Surd(-3), 1 - sqrt(2)], ids=str)
-def test_negative_numbers_have_no_root(negative):
-    with pytest.raises(InvalidInput, match="is negative: it has no real"):
-        sqrt(negative)
-    with pytest.raises(InvalidInput, match="is negative: it has no real"):
-        surd(negative).root(3)
-
-
-@pytest.mark.parametrize("index", [0, -1, 2.0, Fraction(1, 2), "2"], ids=repr)
-def test_an_index_that_is_no_positive_integer_is_refused(index):
-    with pytest.raises(InvalidInput):
-        sqrt(2).root(index)
-
-
-def test_a_negative_number_of_digits_is_refused():
-    with pytest.raises(InvalidInput):
-        Surd(123).decimal(-1)
-    with pytest.raises(InvalidInput):
-        sqrt(2).scientific(0)
-
-
-def test_cube_roots_cannot_be_added():
-    with pytest.raises(InvalidInput, match=r"cannot add 2\*\*\(1/3\)"):
-        Surd(2).root(3) + 1
-
-
-def test_an_irrational_number_is_no_fraction():
-    with pytest.raises(InvalidInput, match=r"sqrt\(2\) is irrational"):
-        rational(sqrt(2))
-
-
-# -- rational matrices --------------------------------------------------------------------------------------
-
-
-def square_matrices(entries, sizes=st.integers(1, 5)):
-    return sizes.flatmap(lambda n: st.lists(st.lists(entries, min_size=n, max_size=n), min_size=n, max_size=n))
-
-
-huge = st.integers(2**61, 2**63 + 2**10) | st.integers(-(2**63) - 2**10, -(2**61)) | st.integers(-9, 9)
-entries = small_fractions | huge
-
-
-def in_sympy(rows):
-    return sympy.Matrix([[sympy.Rational(x.numerator, x.denominator) for x in map(Fraction, row)] for row in rows])
-
-
-def same(ours, theirs):
-    return in_sympy(ours.rows()) == theirs
-
-
-@given(square_matrices(entries))
-def test_determinant_and_rank_are_sympys(rows):
-    ours, theirs = RationalMatrix.from_rows(rows), in_sympy(rows)
-    assert rational(theirs.det()) == ours.det()
-    assert theirs.rank() == ours.rank()
-
-
-@given(square_matrices(entries))
-def test_the_inverse_is_sympys(rows):
-    ours, theirs = RationalMatrix.from_rows(rows), in_sympy(rows)
-    if theirs.det():
-        assert same(ours.inverse(), theirs.inv())
-    else:
-        with pytest.raises(ZeroDivisionError):
-            ours.inverse()
-
-
-@given(square_matrices(entries, st.just(3)), square_matrices(entries, st.just(3)))
-def test_the_product_is_sympys(a, b):
-    ours, theirs = RationalMatrix.from_rows(a), RationalMatrix.from_rows(b)
-    assert same(ours @ theirs, in_sympy(a) * in_sympy(b))
-    assert same(ours.T @ theirs, in_sympy(a).T * in_sympy(b))
-
-
-@given(square_matrices(entries))
-def test_a_matrix_reads_back_what_was_written(rows):
-    matrix = RationalMatrix.from_rows(rows)
-    assert [list(row) for row in matrix.rows()] == [[Fraction(x) for x in row] for row in rows]
-    assert matrix == RationalMatrix.from_rows(matrix.rows())
-    assert matrix[0, -1] == rows[0][-1]
-
-
-def test_matrices_are_equal_by_value():
-    assert RationalMatrix(np.array([[2, 4]]), 2) == RationalMatrix(np.array([[1, 2]]))
-    assert RationalMatrix(np.array([[1, 2]])) != RationalMatrix(np.array([[1], [2]]))
-    assert RationalMatrix.identity(2) != RationalMatrix.from_rows([[1, 0], [0, "1/2"]])
-
-
-@pytest.mark.parametrize("n", [2**31 - 1, 2**31, 2**31 + 1, 2**62 - 1, 2**62, 2**62 + 1, 2**63 - 1, 2**63])
-def test_nothing_overflows_near_the_limits_of_int64(n):
-    row = RationalMatrix.from_rows([[n, -n]])
-    assert (row @ row.T)[0, 0] == 2 * n * n
-    assert (row.T @ row)[0, 1] == -n * n
-    assert row.T[1, 0] == -n
-
-
-@pytest.mark.parametrize("dtype", [np.int8, np.uint8, np.int32, np.uint64])
-def test_arrays_of_other_integers_do_not_overflow(dtype):
-    n = np.iinfo(dtype).max
-    matrix = RationalMatrix(np.array([[n]], dtype=dtype))
-    assert (matrix @ matrix)[0, 0] == int(n) ** 2
-
-
-def test_a_matrix_of_floats_is_refused():
-    with pytest.raises(InexactInput):
-        RationalMatrix(np.array([[0.5]]))
-    with pytest.raises(InexactInput):
-        RationalMatrix.from_rows([[0.5]])
-
-
-@pytest.mark.parametrize("denominator", [0, -1])
-def test_a_denominator_is_positive(denominator):
-    with pytest.raises(InvalidInput):
-        RationalMatrix(np.array([[1]]), denominator)
-
-
-def test_rows_of_different_lengths_are_refused():
-    with pytest.raises(InvalidInput, match=r"different lengths: \[1, 2\]"):
-        RationalMatrix.from_rows([[1, 2], [3]])

@@ -8,6 +8,7 @@ import sys
 import xml.etree.ElementTree as ET
 from dataclasses import FrozenInstanceError
 from fractions import Fraction
+from functools import cache
 from itertools import combinations, pairwise
 from pathlib import Path
 
@@ -25,16 +26,19 @@ from coxeter.figures import (
     diagram_pair,
     family_diagram,
     monohedral_not_coxeter,
-    plane_triangulation,
     quality_curves,
-    root_system_plane,
 )
 from coxeter.figures import canvas as style
+from coxeter.figures import plane_triangulation as make_plane_triangulation
+from coxeter.figures import root_system_plane as make_root_system_plane
 from coxeter.figures.canvas import Canvas, Disc, Label
 from coxeter.figures.labels import runs
 from coxeter.figures.layout import LONGEST
 from coxeter.figures.svg import write_svg
 from coxeter.names import parse_root_system, triangulations_up_to
+
+plane_triangulation = cache(make_plane_triangulation)
+root_system_plane = cache(make_root_system_plane)
 
 SVG = "{http://www.w3.org/2000/svg}"
 
@@ -46,15 +50,15 @@ MAKERS = {
     "family": lambda: family_diagram("C"),
     "pair": lambda: diagram_pair("F~4"),
     "family pair": lambda: diagram_pair("D~d"),
-    "A2": lambda: root_system_plane("A2"),
-    "B2": lambda: root_system_plane("B2"),
-    "G2": lambda: root_system_plane("G2"),
-    "dual of A2": lambda: root_system_plane("A2", dual=True),
-    "dual of C2": lambda: root_system_plane("C2", dual=True),
-    "dual of G2": lambda: root_system_plane("G2", dual=True),
-    "A~2": lambda: plane_triangulation("A~2"),
-    "C~2": lambda: plane_triangulation("C~2"),
-    "G~2": lambda: plane_triangulation("G~2"),
+    "A2": lambda: make_root_system_plane("A2"),
+    "B2": lambda: make_root_system_plane("B2"),
+    "G2": lambda: make_root_system_plane("G2"),
+    "dual of A2": lambda: make_root_system_plane("A2", dual=True),
+    "dual of C2": lambda: make_root_system_plane("C2", dual=True),
+    "dual of G2": lambda: make_root_system_plane("G2", dual=True),
+    "A~2": lambda: make_plane_triangulation("A~2"),
+    "C~2": lambda: make_plane_triangulation("C~2"),
+    "G~2": lambda: make_plane_triangulation("G~2"),
     "A~3": lambda: cube_simplex("A~3"),
     "B~3": lambda: cube_simplex("B~3"),
     "C~3": lambda: cube_simplex("C~3"),

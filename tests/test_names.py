@@ -36,7 +36,24 @@ def test_the_list_of_triangulations_by_dimension():
     assert triangulations_up_to(1) == []
 
 
-UNKNOWN = ["H~3", "E~9", "E~5", "F~3", "G~3", "", "A", "~3", "3", "A~", "A~3.5", "A~-3", "A~~3", "A~x", "a~3", "A~3 B~3"]
+UNKNOWN = [
+    "H~3",
+    "E~9",
+    "E~5",
+    "F~3",
+    "G~3",
+    "",
+    "A",
+    "~3",
+    "3",
+    "A~",
+    "A~3.5",
+    "A~-3",
+    "A~~3",
+    "A~x",
+    "a~3",
+    "A~3 B~3",
+]
 
 
 @pytest.mark.parametrize("name", UNKNOWN)
@@ -45,7 +62,13 @@ def test_an_unknown_name_is_told_what_there_is(name):
         triangulation(name)
     message = str(caught.value)
     assert repr(name) in message
-    for allowed in ("A~d (d >= 2)", "B~d (d >= 3)", "C~d (d >= 2)", "D~d (d >= 4)", "E~6, E~7, E~8, F~4, G~2"):
+    for allowed in (
+        "A~d (d >= 2)",
+        "B~d (d >= 3)",
+        "C~d (d >= 2)",
+        "D~d (d >= 4)",
+        "E~6, E~7, E~8, F~4, G~2",
+    ):
         assert allowed in message
 
 
@@ -88,7 +111,7 @@ def test_a_lonely_brace_is_refused(name):
 
 @pytest.mark.parametrize("name", ["A0", "B1", "C1", "D3", "E5", "H3", ""])
 def test_root_systems_have_their_own_ranges(name):
-    with pytest.raises(InvalidType, match="root system|needs d >="):
+    with pytest.raises(InvalidType, match=r"root system|needs d >="):
         root_system(name)
 
 

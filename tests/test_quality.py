@@ -79,7 +79,10 @@ def test_normalized_fatness_is_a_power_of_one_over_d():
 
 @given(simplices(max_dimension=5))
 def test_no_simplex_is_better_than_the_regular_one(points):
-    """Proof for thickness, say: the sum of squared edges is at least 2d·(sum of inverse squared heights)^-1."""
+    """For thickness, with P the Gram matrix of the vertices about their mean and Γ its pseudo-inverse:
+
+    d² <= tr P · tr Γ,  tr P = (sum of squared edges)/(d+1) <= dL²/2,  tr Γ = (sum of 1/h_k²) <= (d+1)/h².
+    """
     simplex = Simplex(points)
     edges = simplex.squared_edge_lengths
     regular = len({edges[i, j] for i in range(len(points)) for j in range(i)}) == 1
@@ -88,7 +91,7 @@ def test_no_simplex_is_better_than_the_regular_one(points):
         assert (value == 1) == regular
 
 
-# -- adding a measure --------------------------------------------------------------------------------------------
+# -- adding a measure ------------------------------------------------------------------------------
 
 
 @pytest.fixture
@@ -105,7 +108,10 @@ def test_an_added_measure_is_reported_with_the_others():
     @measure("edge_ratio", r"\eta")
     def edge_ratio(simplex):
         edges = simplex.squared_edge_lengths
-        return sqrt(min(edges[i, j] for i in range(simplex.dimension + 1) for j in range(i)) / simplex.squared_longest_edge)
+        return sqrt(
+            min(edges[i, j] for i in range(simplex.dimension + 1) for j in range(i))
+            / simplex.squared_longest_edge
+        )
 
     assert list(MEASURES) == [*FOUR, "edge_ratio"]
     assert qualities(Simplex([(0, 0), (3, 0), (0, 4)]))["edge_ratio"] == Fraction(3, 5)
@@ -143,5 +149,7 @@ def test_a_name_is_taken_once(name):
 
 
 def test_an_unknown_measure_is_told_those_there_are():
-    with pytest.raises(InvalidInput, match="'girth' is no quality measure; there are aspect_ratio, fatness, thickness"):
+    with pytest.raises(
+        InvalidInput, match="'girth' is no quality measure; there are aspect_ratio, fatness, thickness"
+    ):
         find_measure("girth")

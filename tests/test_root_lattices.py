@@ -40,7 +40,7 @@ def point_in_span(data, kind, entries):
     return oracle.combine(weights, oracle.simple_roots(*key(kind)))
 
 
-# -- the four lattices ------------------------------------------------------------------------------------
+# -- the four lattices -----------------------------------------------------------------------------
 
 
 @each
@@ -87,7 +87,7 @@ def test_lattices_of_b_and_c(d):
 def test_every_root_is_in_the_root_lattice_every_coroot_in_the_other(kind):
     system = root_system(kind)
     roots, coroots = root_lattice(system), coroot_lattice(system)
-    for r in oracle.simple_roots(*key(kind)) + (oracle.highest_root(*key(kind)),):
+    for r in (*oracle.simple_roots(*key(kind)), oracle.highest_root(*key(kind))):
         assert r in roots
         assert oracle.coroot(r) in coroots
         assert tuple(x / 2 for x in r) not in roots
@@ -117,13 +117,18 @@ def test_coweights_are_in_the_coweight_lattice_and_half_of_them_are_not(kind):
 @given(some_kinds, st.data())
 def test_the_lattices_are_stable_under_reflections(kind, data):
     system = root_system(kind)
-    for lattice in (root_lattice(system), coroot_lattice(system), weight_lattice(system), coweight_lattice(system)):
+    for lattice in (
+        root_lattice(system),
+        coroot_lattice(system),
+        weight_lattice(system),
+        coweight_lattice(system),
+    ):
         weights = data.draw(st.tuples(*[st.integers(-3, 3)] * kind.rank))
         x = oracle.combine(weights, lattice.basis.rows())
         assert all(oracle.reflect(x, s) in lattice for s in oracle.simple_roots(*key(kind)))
 
 
-# -- lattices in general -----------------------------------------------------------------------------------
+# -- lattices in general ---------------------------------------------------------------------------
 
 bases = st.lists(st.tuples(*[small_fractions] * 3), min_size=1, max_size=3)
 

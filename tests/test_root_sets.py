@@ -32,7 +32,9 @@ def side_by_side(*names):
     blocks = [root_system(name).roots.rows() for name in names]
     widths = [len(block[0]) for block in blocks]
     return [
-        (0,) * sum(widths[:i]) + row + (0,) * sum(widths[i + 1 :]) for i, block in enumerate(blocks) for row in block
+        (0,) * sum(widths[:i]) + row + (0,) * sum(widths[i + 1 :])
+        for i, block in enumerate(blocks)
+        for row in block
     ]
 
 
@@ -57,7 +59,9 @@ EXAMPLES = {
 }
 
 
-@pytest.mark.parametrize(("vectors", "root", "crystallographic", "reduced", "irreducible"), EXAMPLES.values(), ids=EXAMPLES)
+@pytest.mark.parametrize(
+    ("vectors", "root", "crystallographic", "reduced", "irreducible"), EXAMPLES.values(), ids=EXAMPLES
+)
 def test_examples(vectors, root, crystallographic, reduced, irreducible):
     assert is_root_system(vectors) == root
     assert is_crystallographic(vectors) == crystallographic
@@ -81,12 +85,14 @@ def test_no_pair_of_roots_can_be_left_out(kind):
         assert not is_root_system([s for s in roots if s not in both_signs(r)])
 
 
-# -- the definitions, read literally ------------------------------------------------------------------------
+# -- the definitions, read literally ---------------------------------------------------------------
 
 plane = st.tuples(st.integers(-2, 2), st.integers(-2, 2)).filter(any)
 some_vectors = st.lists(plane, min_size=1, max_size=6, unique=True)
 some_pairs = some_vectors.map(lambda vectors: sorted(set(both_signs(*vectors))))
-parts_of_roots = st.sampled_from([B2, BC2, STRETCHED_B2]).flatmap(lambda roots: st.lists(st.sampled_from(roots), min_size=1, unique=True))
+parts_of_roots = st.sampled_from([B2, BC2, STRETCHED_B2]).flatmap(
+    lambda roots: st.lists(st.sampled_from(roots), min_size=1, unique=True)
+)
 sets = some_vectors | some_pairs | parts_of_roots
 
 
@@ -98,7 +104,9 @@ def test_root_system_by_definition(vectors):
 
 @given(sets)
 def test_crystallographic_by_definition(vectors):
-    integers = [Fraction(2 * oracle.dot(r, s), oracle.dot(r, r)).denominator == 1 for r in vectors for s in vectors]
+    integers = [
+        Fraction(2 * oracle.dot(r, s), oracle.dot(r, r)).denominator == 1 for r in vectors for s in vectors
+    ]
     assert is_crystallographic(vectors) == all(integers)
 
 
@@ -115,7 +123,7 @@ def test_irreducible_by_definition(vectors):
     assert is_irreducible(vectors) == (not reducible)
 
 
-# -- Cartan integers and angles --------------------------------------------------------------------------------
+# -- Cartan integers and angles --------------------------------------------------------------------
 
 TABLE = [
     # product, n(s, r), n(r, s), angle/pi, |s|/|r|: Bourbaki, Lie, VI, §1.3
@@ -184,10 +192,12 @@ def test_a_zero_vector_defines_no_cartan_integer():
         cartan_integer((1, 0), (0, 0))
 
 
-# -- edges of the range ----------------------------------------------------------------------------------------
+# -- edges of the range ----------------------------------------------------------------------------
 
 
-@pytest.mark.parametrize("question", [is_crystallographic, angle_table, lambda v: coroots(RationalMatrix.from_rows(v))])
+@pytest.mark.parametrize(
+    "question", [is_crystallographic, angle_table, lambda v: coroots(RationalMatrix.from_rows(v))]
+)
 def test_a_zero_vector_is_refused(question):
     with pytest.raises(InvalidInput, match="zero"):
         question([(0, 0), (1, 0)])
@@ -201,7 +211,9 @@ def test_a_set_with_the_zero_vector_is_no_root_system():
 @pytest.mark.parametrize("n", [2**20, 2**30, 2**31, 2**40, 2**62, 2**70])
 def test_coroots_do_not_overflow(n):
     rows = [(n, 1), (1, n - 1), (0, 3)]
-    assert coroots(RationalMatrix.from_rows(rows)).rows() == tuple(oracle.coroot(tuple(map(Fraction, r))) for r in rows)
+    assert coroots(RationalMatrix.from_rows(rows)).rows() == tuple(
+        oracle.coroot(tuple(map(Fraction, r))) for r in rows
+    )
 
 
 @pytest.mark.parametrize("n", [2**20, 2**31, 2**40, 2**70])

@@ -28,7 +28,9 @@ DETERMINANTS = {"E6": 3, "E7": 2, "E8": 1, "F4": 1, "G2": 1}
 
 def number_of_roots(kind):
     d = kind.rank
-    return {"A": d * (d + 1), "B": 2 * d * d, "C": 2 * d * d, "D": 2 * d * (d - 1)}.get(kind.family, ROOTS.get(kind.family))
+    return {"A": d * (d + 1), "B": 2 * d * d, "C": 2 * d * d, "D": 2 * d * (d - 1)}.get(
+        kind.family, ROOTS.get(kind.family)
+    )
 
 
 def order(kind):
@@ -49,7 +51,7 @@ def key(kind):
     return kind.letter, kind.rank
 
 
-# -- simple roots and the Cartan matrix ---------------------------------------------------------------
+# -- simple roots and the Cartan matrix ------------------------------------------------------------
 
 
 @every()
@@ -104,7 +106,7 @@ def test_coweights_lie_in_the_span_of_the_roots(kind):
     assert all(oracle.dot(w, n) == 0 for w in coweights for n in extra)
 
 
-# -- all roots -------------------------------------------------------------------------------------------
+# -- all roots -------------------------------------------------------------------------------------
 
 
 @every()
@@ -149,7 +151,7 @@ def test_b_and_c_are_dual(d):
     assert set(c.coroots.rows()) == set(b.roots.rows())
 
 
-# -- the highest root ------------------------------------------------------------------------------------
+# -- the highest root ------------------------------------------------------------------------------
 
 
 @every()
@@ -192,7 +194,7 @@ def test_the_highest_root_is_as_long_as_any(kind):
     assert set(system.squared_lengths) == lengths
 
 
-# -- the Weyl group ---------------------------------------------------------------------------------------
+# -- the Weyl group --------------------------------------------------------------------------------
 
 
 @every(KINDS + LARGE)
@@ -234,7 +236,7 @@ def test_order_by_schreier_and_sims(kind):
 
 @every()
 def test_exponents_from_the_eigenvalues_of_a_coxeter_element(kind):
-    """Its eigenvalues are exp(2πi·e/h); those of one order m are all zeros of the m-th cyclotomic polynomial."""
+    """They are exp(2πi·e/h); those of order m are all the zeros of the m-th cyclotomic polynomial."""
     cartan, d = root_system(kind).cartan_matrix, kind.rank
     element = DomainMatrix.eye(d, ZZ)
     for j in range(d):
@@ -245,11 +247,13 @@ def test_exponents_from_the_eigenvalues_of_a_coxeter_element(kind):
     h = number_of_roots(kind) // d
     orders = [h // math.gcd(h, e) for e in exponents]
     x = sympy.Symbol("x")
-    expected = math.prod(sympy.cyclotomic_poly(m, x) ** (orders.count(m) // sympy.totient(m)) for m in set(orders))
+    expected = math.prod(
+        sympy.cyclotomic_poly(m, x) ** (orders.count(m) // sympy.totient(m)) for m in set(orders)
+    )
     assert sympy.Poly(element.charpoly(), x) == sympy.Poly(expected, x)
 
 
-# -- coordinates -------------------------------------------------------------------------------------------
+# -- coordinates -----------------------------------------------------------------------------------
 
 
 @given(st.sampled_from(KINDS), st.data())
@@ -270,7 +274,7 @@ def test_a_vector_of_the_wrong_length_is_refused():
         root_system("B3").coordinates((1, 0))
 
 
-# -- values ------------------------------------------------------------------------------------------------
+# -- values ----------------------------------------------------------------------------------------
 
 
 def test_a_root_system_is_a_value():

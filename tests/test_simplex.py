@@ -42,14 +42,17 @@ def pairs(simplex):
     return itertools.combinations(range(simplex.dimension + 1), 2)
 
 
-# -- against the oracle -----------------------------------------------------------------------------------
+# -- against the oracle ----------------------------------------------------------------------------
 
 
 @given(simplices())
 def test_edges_and_heights(points):
     simplex = Simplex(points)
     edges = oracle.squared_edges(points)
-    assert all(simplex.squared_edge_lengths[i, j] == simplex.squared_edge_lengths[j, i] == edges[i, j] for i, j in edges)
+    assert all(
+        simplex.squared_edge_lengths[i, j] == simplex.squared_edge_lengths[j, i] == edges[i, j]
+        for i, j in edges
+    )
     assert simplex.squared_longest_edge == max(edges.values())
     assert set(simplex.longest_edges()) == {pair for pair in edges if edges[pair] == max(edges.values())}
     assert list(simplex.squared_heights) == oracle.squared_heights(points)
@@ -127,12 +130,12 @@ def test_the_gradients_are_dual_to_the_edges(points):
     d = simplex.dimension
     gradients = simplex.gradient_gram
     for i in range(1, d + 1):
-        assert [sum(simplex.edge_gram[i - 1, k] * gradients[k + 1, j] for k in range(d)) for j in range(d + 1)] == [
-            (j == i) - (j == 0) for j in range(d + 1)
-        ]
+        assert [
+            sum(simplex.edge_gram[i - 1, k] * gradients[k + 1, j] for k in range(d)) for j in range(d + 1)
+        ] == [(j == i) - (j == 0) for j in range(d + 1)]
 
 
-# -- what must not matter -----------------------------------------------------------------------------------
+# -- what must not matter --------------------------------------------------------------------------
 
 
 @given(simplices(), st.data())
@@ -200,7 +203,7 @@ def test_more_coordinates_do_not_matter(points):
     assert image.circumcentre == (7, *simplex.circumcentre, 0)
 
 
-# -- known simplices -------------------------------------------------------------------------------------------
+# -- known simplices -------------------------------------------------------------------------------
 
 
 def test_the_triangle_of_sides_3_4_5():
@@ -235,7 +238,9 @@ def test_the_regular_simplex_is_the_one_with_its_vertices(d):
 
 @pytest.mark.parametrize("d", range(2, 6))
 def test_dihedral_angles_of_the_regular_simplex(d):
-    assert {regular_simplex(d).dihedral_cosine(i, j) for i, j in pairs(regular_simplex(d))} == {Fraction(1, d)}
+    assert {regular_simplex(d).dihedral_cosine(i, j) for i, j in pairs(regular_simplex(d))} == {
+        Fraction(1, d)
+    }
 
 
 TETRAHEDRON = [
@@ -266,10 +271,20 @@ def test_irrational_vertices_with_rational_edges():
     assert squares(Simplex(moved)) == squares(Simplex([(0, 0), (3, 0), (0, 4)]))
 
 
-@pytest.mark.parametrize("n", [2**20, 2**30, 2**31 - 1, 2**31, 2**32, 2**62 - 1, 2**62, 2**63, 2**70])
-@pytest.mark.parametrize("shape", [[(0, 0), (1, 0), (-1, 1)], [(-1, -1), (1, -1), (1, 1)], [(0, 0), (1, 1), (1, -1)]])
+LARGE = [2**20, 2**30, 2**31 - 1, 2**31, 2**32, 2**62 - 1, 2**62, 2**63, 2**70]
+
+
+SHAPES = {
+    "flat": lambda n: [(0, 0), (n, 0), (-n, 1)],
+    "right": lambda n: [(-n, -n), (n, -n), (n, n)],
+    "thin": lambda n: [(0, 0), (n, 1), (1, -n)],
+}
+
+
+@pytest.mark.parametrize("n", LARGE)
+@pytest.mark.parametrize("shape", SHAPES)
 def test_large_coordinates_do_not_overflow(shape, n):
-    points = [(n * x, n * y + (y == 1)) for x, y in shape]
+    points = SHAPES[shape](n)
     simplex = Simplex(points)
     points = [tuple(map(Fraction, p)) for p in points]
     assert simplex.squared_longest_edge == max(oracle.squared_edges(points).values())
@@ -290,7 +305,7 @@ def test_coordinates_of_all_kinds_are_read():
     assert squares(Simplex(mixed)) == squares(Simplex(TRIANGLE))
 
 
-# -- refusals ---------------------------------------------------------------------------------------------------
+# -- refusals --------------------------------------------------------------------------------------
 
 
 @pytest.mark.parametrize(
@@ -299,20 +314,22 @@ def test_coordinates_of_all_kinds_are_read():
     ids=repr,
 )
 def test_an_inexact_coordinate_is_named(value):
-    with pytest.raises(InexactInput, match="^vertex 1, coordinate 0: .* is inexact: give an integer"):
+    with pytest.raises(InexactInput, match=r"^vertex 1, coordinate 0: .* is inexact: give an integer"):
         Simplex([(0, 0), (value, 0), (0, 1)])
 
 
 @pytest.mark.parametrize(
-    "value", ["foo", "", "1/0", "sqrt(x)", "sqrt(-1)", None, True, 1j, sympy.pi, sympy.Symbol("x"), [1]], ids=repr
+    "value",
+    ["foo", "", "1/0", "sqrt(x)", "sqrt(-1)", None, True, 1j, sympy.pi, sympy.Symbol("x"), [1]],
+    ids=repr,
 )
 def test_a_coordinate_that_is_no_number_is_named(value):
-    with pytest.raises(InvalidInput, match="^vertex 2, coordinate 1: "):
+    with pytest.raises(InvalidInput, match=r"^vertex 2, coordinate 1: "):
         Simplex([(0, 0), (1, 0), (0, value)])
 
 
 def test_a_whole_array_of_floats_is_refused():
-    with pytest.raises(InexactInput, match="^vertex 0, coordinate 0: "):
+    with pytest.raises(InexactInput, match=r"^vertex 0, coordinate 0: "):
         Simplex(np.zeros((3, 2)))
 
 
@@ -327,7 +344,9 @@ def test_a_whole_array_of_floats_is_refused():
     ],
 )
 def test_dependent_points_are_told_the_dimension_they_span(points, dimensions):
-    with pytest.raises(DegenerateSimplex, match=f"^{len(points)} points .* dimension {dimensions} .*independent"):
+    with pytest.raises(
+        DegenerateSimplex, match=f"^{len(points)} points .* dimension {dimensions} .*independent"
+    ):
         Simplex(points)
 
 
@@ -385,5 +404,3 @@ def test_what_all_callers_share_cannot_be_changed():
         regular_simplex(3).edge_gram.numerators[0, 0] = 99
     with pytest.raises(ValueError, match="read-only"):
         regular_simplex(3).gradient_gram.numerators[0, 0] = 99
-
-

@@ -15,6 +15,7 @@ MATHJAX = "tex-svg-full.js"
 
 def setup(app: Sphinx) -> dict[str, Any]:
     app.config.mathjax_path = MATHJAX
+    app.set_html_assets_policy("always")  # every side bar has formulas, in the chapters' titles
     app.connect("builder-inited", add_mathjax)
     app.connect("html-collect-pages", forget_modules_without_source, priority=1)
     return {"parallel_read_safe": True, "parallel_write_safe": True}

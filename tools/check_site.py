@@ -121,7 +121,7 @@ class Site:
     def check_formulas(self, page: Page) -> None:
         """A page with formulas loads a renderer that is part of the site."""
         text = " ".join(plain_words(page.body))
-        if not page.body.select(".math") and r"\(" not in text and r"\[" not in text:
+        if not page.soup.select(".math") and r"\(" not in text and r"\[" not in text:
             return
         self.checked["pages with formulas"] += 1
         for script in page.soup.find_all("script", src=RENDERER):

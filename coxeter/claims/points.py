@@ -11,25 +11,22 @@ the one count that makes it right, by the other place that prints the vertex, or
 
 from __future__ import annotations
 
-import re
 from collections.abc import Callable, Iterator
 from fractions import Fraction
 from functools import lru_cache
 from itertools import permutations
 
 from ..delaunay import mirror_vertices
-from ..errors import InvalidInput
-from ..exact import Exact, RationalMatrix, Surd, show, surd
+from ..exact import RationalMatrix, Surd, show, surd
 from ..families import evaluate
-from ..names import MINIMAL_DIMENSION
-from ..paper import Paper, PrintedPoint, Runs
+from ..names import FAMILIES, MINIMAL_DIMENSION
+from ..paper import Paper, PrintedPoint
 from .core import affine_name, dimensions, simplex_of, triangulation_of
 from .outcomes import Comparison, Outcome, spell
+from .runs import Point, coordinates, numbers, spell_runs
 
 SIGN = {"A": -1, "E7": -1}
 """Families whose printed coordinates are the negatives of the core's."""
-
-Point = tuple[Exact, ...]
 
 
 def compare_points(paper: Paper, wanted: Callable[[PrintedPoint], bool]) -> tuple[Comparison, ...]:
@@ -41,12 +38,12 @@ def compare_points(paper: Paper, wanted: Callable[[PrintedPoint], bool]) -> tupl
     differs | our copy shows 7 coordinates in place of 8; the point is (1/12, 1/12, 0, 0, 0, 0, 0, 1/2)
     """
     points = [point for point in paper.points if wanted(point)]
-    return (*(_compare(paper, point) for point in points), *_missing(paper, points))
-
-
-def numbers(first: str, last: str, d: int) -> range:
-    """The values of an index that runs from one formula in d to another."""
-    return range(int(evaluate(first, d=d).as_fraction()), int(evaluate(last, d=d).as_fraction()) + 1)
+    sections = [
+        (f"Section 6, {affine_name(family)}, item 2", family) for family in FAMILIES if family != "G2"
+    ]
+    lists = [*(("Table 1", family) for family in FAMILIES), *sections]
+    missing = (_missing(paper, *x) for x in lists if wanted(PrintedPoint(*x, name="vertex", runs=())))
+    return (*(compare_point(paper, point) for point in points), *(x for found in missing for x in found))
 
 
 def vertex_numbers(point: PrintedPoint, d: int) -> range:
@@ -55,33 +52,6 @@ def vertex_numbers(point: PrintedPoint, d: int) -> range:
         return numbers(point.first, point.last, d)
     index = point.index or "0"
     return numbers(index, index, d)
-
-
-def coordinates(runs: Runs, d: int, k: int) -> Point | None:
-    """Write out runs of equal coordinates; None if a count is negative or a formula has no value.
-
-    >>> coordinates((("1/2", "k"), ("0", "d - k")), 3, 2)
-    (Fraction(1, 2), Fraction(1, 2), Fraction(0, 1))
-    """
-    point: list[Exact] = []
-    try:
-        for text, count in runs:
-            n = int(evaluate(count, d=d, k=k).as_fraction())
-            if n < 0:
-                return None
-            if "i" in text:
-                start = len(point) + 1
-                point += [_plain(evaluate(text, d=d, k=k, i=i)) for i in range(start, start + n)]
-            else:
-                point += [_plain(evaluate(text, d=d, k=k))] * n
-    except (InvalidInput, ZeroDivisionError):
-        return None
-    return tuple(point)
-
-
-def _plain(x: Surd) -> Exact:
-    """A fraction if possible: fractions are compared faster."""
-    return x.as_fraction() if x.is_rational else x
 
 
 def exact_point(family: str, name: str, d: int, k: int) -> Point:
@@ -108,39 +78,46 @@ def _agrees(point: PrintedPoint, family: str, d: int, k: int) -> bool:
     return _printed_point(point, d, k) == exact_point(family, point.name, d, k)
 
 
-@lru_cache(maxsize=1024)
-def _failures(point: PrintedPoint, family: str) -> list[tuple[int, int]]:
+def failures(point: PrintedPoint, family: str) -> tuple[tuple[int, int], ...]:
     """The pairs (d, k) for which a printed point is not that of the family."""
-    pairs = ((d, k) for d in dimensions(family) for k in vertex_numbers(point, d))
-    return [(d, k) for d, k in pairs if not _agrees(point, family, d, k)]
+    return _failures(point, family, tuple(_pairs(point, family)))
+
+
+@lru_cache(maxsize=1024)
+def _failures(
+    point: PrintedPoint, family: str, pairs: tuple[tuple[int, int], ...]
+) -> tuple[tuple[int, int], ...]:
+    return tuple((d, k) for d, k in pairs if not _agrees(point, family, d, k))
+
+
+def _pairs(point: PrintedPoint, family: str) -> Iterator[tuple[int, int]]:
+    return ((d, k) for d in dimensions(family) for k in vertex_numbers(point, d))
+
+
+def _first(point: PrintedPoint, family: str) -> tuple[int, int]:
+    return next(_pairs(point, family), (dimensions(family)[0], 0))
 
 
 def _name(point: PrintedPoint) -> str:
     return f"{point.name.replace('_', ' ')}{' ' + point.index if point.index else ''}"
 
 
-def _text(runs: Runs) -> str:
-    """Runs as text: ``(1/2^{k}, 0^{d - k})``."""
-    plain = [value if re.fullmatch(r"[\w/-]+", value) else f"({value})" for value, _ in runs]
-    counts = ["" if count == "1" else f"^{{{count}}}" for _, count in runs]
-    return show([value + count for value, count in zip(plain, counts, strict=True)])
-
-
-def _compare(paper: Paper, point: PrintedPoint) -> Comparison:
+def compare_point(paper: Paper, point: PrintedPoint) -> Comparison:
+    """One printed point."""
     if point.family == "G2":
         return _compare_triangle(paper, point)
     family, outcome, evidence = point.family, Outcome.AGREES, ""
-    failures = _failures(point, family)
-    d, k = (
-        failures[0] if failures else (dimensions(family)[0], vertex_numbers(point, dimensions(family)[0])[0])
-    )
+    wrong = failures(point, family)
+    d, k = wrong[0] if wrong else _first(point, family)
     exact = exact_point(family, point.name, d, k)
     note = f"exact for {spell(dimensions(family))}"
-    if failures:
+    if wrong:
         outcome, note, evidence = _fault(point, d, k, exact)
         family, cause = _cause(paper, point)
         if cause:
             outcome, evidence = Outcome.TRANSCRIPTION, cause
+        if family != point.family:  # it stands in the wrong row
+            wrong, exact = (), exact_point(family, point.name, *_first(point, family))
     elif point.label is not None:
         outcome, note = Outcome.TRANSCRIPTION, f"our copy labels it {point.label!r}"
         evidence = f"by its place it is {_name(point)}, and it is exact as that"
@@ -148,19 +125,14 @@ def _compare(paper: Paper, point: PrintedPoint) -> Comparison:
         place=point.place,
         family=family,
         quantity=_name(point),
-        printed=point.raw or _text(point.runs),
+        printed=point.raw or spell_runs(point.runs),
         outcome=outcome,
         dimensions=dimensions(family),
-        fails_at=tuple(sorted({d for d, _ in failures})),
-        exact=exact_point(family, point.name, *_first(point, family)) if family != point.family else exact,
+        fails_at=tuple(sorted({d for d, _ in wrong})),
+        exact=exact,
         note=note,
         evidence=evidence,
     )
-
-
-def _first(point: PrintedPoint, family: str) -> tuple[int, int]:
-    d = dimensions(family)[0]
-    return d, vertex_numbers(point, d)[0]
 
 
 def _fault(point: PrintedPoint, d: int, k: int, exact: Point) -> tuple[Outcome, str, str]:
@@ -170,13 +142,21 @@ def _fault(point: PrintedPoint, d: int, k: int, exact: Point) -> tuple[Outcome, 
         note = f"our copy shows {len(x)} coordinates in place of {len(exact)}; the point is {show(exact)}"
         return Outcome.DIFFERS, note, _mended(point, len(exact) - len(x), up_to_signs=True)
     where = f"d = {d}" + (f", k = {k}" if point.first else "")
-    ratios = {surd(a) / b for a, b in zip(x or (), exact, strict=bool(x)) if b}
-    multiple = f"it is {ratios.pop()} times the exact point" if len(ratios) == 1 else ""
-    return (
-        Outcome.DIFFERS,
-        f"for {where} the point is {show(exact)}, printed is {show(x or ('nothing',))}",
-        multiple,
-    )
+    note = f"for {where} the point is {show(exact)}, printed is {show(x or ('nothing',))}"
+    multiples = [text for text in _MULTIPLES if _is_multiple(point, text)]
+    return Outcome.DIFFERS, note, f"it is {multiples[0]} times the exact point" if multiples else ""
+
+
+_MULTIPLES = ("-1", "2", "1/2", "d + 1", "1/(d + 1)")
+
+
+def _is_multiple(point: PrintedPoint, factor: str) -> bool:
+    """Whether a printed point is a multiple of the exact one wherever they differ."""
+    for d, k in failures(point, point.family):
+        exact = exact_point(point.family, point.name, d, k)
+        if _printed_point(point, d, k) != tuple(x * evaluate(factor, d=d) for x in exact):
+            return False
+    return True
 
 
 def _cause(paper: Paper, point: PrintedPoint) -> tuple[str, str]:
@@ -190,13 +170,14 @@ def _cause(paper: Paper, point: PrintedPoint) -> tuple[str, str]:
                 return family, mended
             for other in paper.points:
                 same = (other.family, other.name, other.index) == (family, point.name, point.index)
-                if same and other is not point and not _failures(other, family):
-                    return family, f"{other.place} prints it right: {_text(other.runs)}"
+                left = iter(other.runs)  # the runs that our copy still shows are some of these, in order
+                if same and not failures(other, family) and all(run in left for run in point.runs):
+                    return family, f"{other.place} prints it right: {spell_runs(other.runs)}"
         return family, ""
     for other_family in MINIMAL_DIMENSION:
         beside = [p for p in paper.points if (p.place, p.family) == (point.place, other_family)]
         lacks = beside and not any(_covers(p, point) for p in beside)
-        if lacks and point.name == "vertex" and not _failures(point, other_family):
+        if lacks and point.name == "vertex" and not failures(point, other_family):
             name = affine_name(other_family)
             twice = f"the row of {affine_name(family)} has vertex {point.index} twice"
             return other_family, f"it is exact for {name}, whose row lacks it; {twice}"
@@ -214,42 +195,40 @@ def _mended(point: PrintedPoint, lacking: int, up_to_signs: bool = False) -> str
     d, k = _first(point, point.family)
     exact = exact_point(point.family, point.name, d, k)
     for i, (value, count) in enumerate(point.runs):
+        if not count.isdigit():
+            continue
         runs = (*point.runs[:i], (value, f"{int(count) + lacking}"), *point.runs[i + 1 :])
         x = coordinates(runs, d, k)
         if x == exact:
-            return f"with one count put right it is exact: {_text(runs)}"
+            return f"with one count put right it is exact: {spell_runs(runs)}"
         if up_to_signs and x and [abs(a) for a in x] == [abs(b) for b in exact]:
             wrong = [str(j) for j, (a, b) in enumerate(zip(x, exact, strict=True), 1) if a != b]
             signs = f"coordinates {', '.join(wrong)} have the wrong sign"
-            return f"with one count put right it is {_text(runs)}, and {signs}"
+            return f"with one count put right it is {spell_runs(runs)}, and {signs}"
     return ""
 
 
-def _missing(paper: Paper, points: list[PrintedPoint]) -> Iterator[Comparison]:
-    """Vertices of a simplex that a place should print and does not."""
-    vertices = [p for p in points if p.name == "vertex"]
-    for place, family in dict.fromkeys((p.place, p.family) for p in vertices):
-        beside = [p for p in vertices if p.place == place]
-        own = [p for p in beside if p.family == family]
-        strays = (
-            [p for p in beside if p.family != family and _failures(p, p.family)] if family != "G2" else []
-        )
-        own += [p for p in strays if _cause(paper, p)[0] == family]
-        for d in dimensions(family):
-            found = {k for p in own for k in vertex_numbers(p, d)}
-            if lost := sorted(set(range(d + 1)) - found):
-                yield Comparison(
-                    place=place,
-                    family=family,
-                    quantity=f"vertex {lost[0]}",
-                    printed="",
-                    outcome=Outcome.DIFFERS,
-                    dimensions=(d,),
-                    fails_at=(d,),
-                    exact=exact_point(family, "vertex", d, lost[0]),
-                    note="no such vertex is printed",
-                )
-                break
+def _missing(paper: Paper, place: str, family: str) -> Iterator[Comparison]:
+    """The first vertex of a simplex that a place should print and does not."""
+    beside = [p for p in paper.points if (p.place, p.name) == (place, "vertex")]
+    own = [p for p in beside if p.family == family]
+    strays = [p for p in beside if p.family not in (family, "G2") and failures(p, p.family)]
+    own += [p for p in strays if _cause(paper, p)[0] == family]
+    for d in dimensions(family):
+        found = {k for p in own for k in vertex_numbers(p, d)}
+        if lost := sorted(set(range(d + 1)) - found):
+            yield Comparison(
+                place=place,
+                family=family,
+                quantity=f"vertex {lost[0]}",
+                printed="",
+                outcome=Outcome.DIFFERS,
+                dimensions=(d,),
+                fails_at=(d,),
+                exact=exact_point(family, "vertex", d, lost[0]),
+                note="no such vertex is printed",
+            )
+            return
 
 
 def _compare_triangle(paper: Paper, point: PrintedPoint) -> Comparison:
@@ -265,7 +244,7 @@ def _compare_triangle(paper: Paper, point: PrintedPoint) -> Comparison:
         place=point.place,
         family="G2",
         quantity=_name(point),
-        printed=_text(point.runs),
+        printed=spell_runs(point.runs),
         outcome=Outcome.AGREES if order else Outcome.DIFFERS,
         dimensions=(2,),
         fails_at=() if order else (2,),

@@ -56,6 +56,8 @@ class RationalMatrix:
     denominator
         A positive integer.
 
+    Examples
+    --------
     >>> m = RationalMatrix.from_rows([["1/2", 0], [1, "1/3"]])
     >>> m
     RationalMatrix([[1/2, 0], [1, 1/3]])

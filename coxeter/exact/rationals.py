@@ -20,6 +20,8 @@ def rational(value: object) -> Fraction:
     InvalidInput
         For anything else that is not a rational number.
 
+    Examples
+    --------
     >>> rational("3/4") + rational(1)
     Fraction(7, 4)
     """

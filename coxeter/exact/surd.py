@@ -45,6 +45,8 @@ class Surd:
     InexactInput, InvalidInput
         If the value is a float, or no rational number.
 
+    Examples
+    --------
     >>> x = sqrt(3) / 4
     >>> x, x * x, x < Surd("0.4331"), float(x)
     (sqrt(3)/4, 3/16, True, 0.4330127018922193)

@@ -119,6 +119,8 @@ def closed_form(family: str, quantity: str) -> ClosedForm:
     InvalidInput
         If there is no such family or quantity.
 
+    Examples
+    --------
     >>> closed_form("A", "relative_protection").pieces
     (Piece(text='sqrt(1 + 24/(d*(d + 2))) - 1', low=2, high=None, parity=None),)
     """

@@ -65,6 +65,8 @@ def evaluate(text: str, **values: Exact) -> Surd:
     InvalidInput
         If the text is no formula: numbers and letters, ``+ - * / **``, ``sqrt`` and ``factorial``.
 
+    Examples
+    --------
     >>> evaluate("sqrt(d + 1)/2", d=3), evaluate("2**(1/2 + 1/d)", d=4)
     (1, 8**(1/4))
     """

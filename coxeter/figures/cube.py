@@ -65,6 +65,8 @@ def cube_simplex(name: object) -> Figure[CubeSimplex]:
     InvalidInput
         If the dimension is not 3.
 
+    Examples
+    --------
     >>> cube_simplex("C~3")
     Fundamental simplex of C~3 in a cube of edge 1: u_0 at a vertex, u_1 at the midpoint of an edge, \
 u_2 at the centre of a face, u_3 at the centre of the cube. It fills 1/48 of the cube.

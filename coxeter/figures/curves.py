@@ -56,6 +56,8 @@ def quality_curves(measure: str | Measure, max_dim: int = 10) -> Figure[Curves]:
     InvalidInput
         If there is no such measure, or the dimension is less than 2.
 
+    Examples
+    --------
     >>> dict(quality_curves("thickness", 3).data.curves)["A"]
     ((2, 1), (3, sqrt(3)/2))
     """

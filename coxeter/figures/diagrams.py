@@ -41,6 +41,8 @@ def coxeter_diagram(name: object, show: Show = "names") -> Figure[Diagram]:
     InvalidType
         If there is no such root system or triangulation.
 
+    Examples
+    --------
     >>> coxeter_diagram("B~4", show="marks")
     Coxeter diagram of B~4: line 2–3–4, and 0–2, 1–2; label 4 on 3–4. Marks: 1 at 0, 1; 2 at 2, 3, 4.
     """
@@ -59,6 +61,8 @@ def family_diagram(family: str, show: Show = "names", affine: bool = True) -> Fi
     affine
         Whether to draw the affine diagram.
 
+    Examples
+    --------
     >>> family_diagram("C", show="marks")
     Coxeter diagram of C~d: line 0–1–2–…–(d-2)–(d-1)–d; labels 4 on 0–1, 4 on (d-1)–d. \
 Marks: 1 at 0, d; 2 at 1, 2, …, d-2, d-1.
@@ -91,6 +95,8 @@ def diagram_pair(name: object) -> Figure[tuple[Diagram, ...]]:
     name
         As for `coxeter_diagram`, or a family, as ``"B~d"``.
 
+    Examples
+    --------
     >>> diagram_pair("G~2")
     Coxeter diagram of G~2, twice: line 1–2–0; label 6 on 1–2. Left, marks: 1 at 0; 2 at 2; 3 at 1. \
 Right, facets: τ_0 to τ_2.

@@ -5,6 +5,7 @@ from __future__ import annotations
 import os
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass, field
+from functools import cached_property
 from pathlib import Path
 from typing import Generic, TypeVar
 
@@ -13,6 +14,10 @@ from .canvas import Canvas, side_by_side
 from .svg import write_svg
 
 Data = TypeVar("Data", covariant=True)
+
+_ROW = (
+    "display:flex;flex-wrap:wrap;justify-content:center;align-items:flex-start;gap:1rem 1.75rem;margin:1rem 0"
+)
 
 
 @dataclass(frozen=True, repr=False)
@@ -38,7 +43,7 @@ class Figure(Generic[Data]):
     draw: Callable[[], Canvas] = field(compare=False)
     parts: tuple[Figure[object], ...] = ()
 
-    @property
+    @cached_property
     def svg(self) -> str:
         """The figure as an SVG element, in the colour of the text around it, on no background."""
         return write_svg(self.draw(), self.title, self.alt, fluid=True)
@@ -48,8 +53,7 @@ class Figure(Generic[Data]):
 
     def _repr_html_(self) -> str:
         drawings = "\n".join(part.svg for part in self.parts or (self,))
-        row = "display:flex;flex-wrap:wrap;justify-content:center;gap:1rem 1.75rem;margin:1rem 0"
-        return f'<figure style="{row}">\n{drawings}\n</figure>'
+        return f'<figure style="{_ROW}">\n{drawings}\n</figure>'
 
     def save(self, path: str | os.PathLike[str]) -> None:
         """Write the figure to a file: SVG, PDF or PNG, by the end of its name.

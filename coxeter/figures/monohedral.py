@@ -25,7 +25,7 @@ from .figure import Figure
 from .legends import area_key, legend, line_key
 from .plane import Triangle, Window, frame, reflected, triangles_in
 
-_SIZE = 360.0
+_SIZE = 336.0
 _EDGES = Pen(INK, 1.1, opacity=0.55)
 _FIRST, _CROSSED = (GREEN, 0.4, Pen(GREEN, 2.0)), (VERMILLION, 0.22, None)
 _EDGE, _BEYOND = Pen(VERMILLION, 3.0), Pen(VERMILLION, 2.2, (2.0, 5.0))

@@ -7,6 +7,8 @@ from collections import deque
 from collections.abc import Sequence
 from dataclasses import dataclass
 from fractions import Fraction
+from functools import cache, cached_property
+from operator import mul
 from typing import NamedTuple
 
 from ..affine import CoxeterTriangulation, Vector
@@ -52,27 +54,27 @@ class Window:
         first, second = (_inner(x, vector) for vector in self.frame)
         return first, second
 
+    @cached_property
+    def _floats(self) -> tuple[tuple[list[float], float], ...]:
+        """The frame and the centre in decimals, for drawing."""
+        pairs = zip(self.frame, self.centre, strict=True)
+        return tuple(([float(x) for x in vector], float(c)) for vector, c in pairs)
+
     def pixel(self, x: Sequence[Exact]) -> Point:
         """Where a point is drawn."""
-        first, second = self.project(x)
-        return (
-            self.scale * float(first - self.centre[0]),
-            -self.scale * float(second - self.centre[1]),
-        )
+        decimals = [float(c) for c in x]
+        first, second = (math.fsum(map(mul, v, decimals)) - c for v, c in self._floats)
+        return self.scale * first, -self.scale * second
+
+    def sides(self, x: Sequence[Exact]) -> tuple[bool, ...]:
+        """Whether a point lies strictly inside of the left, right, lower and upper side."""
+        triples = zip(self.project(x), self.centre, self.half, strict=True)
+        return tuple(side for a, c, h in triples for side in (a > c - h, a < c + h))
 
     def contains(self, x: Sequence[Exact]) -> bool:
-        """Whether the window shows a point."""
-        pairs = zip(self.project(x), self.centre, self.half, strict=True)
-        return all(abs(a - c) <= h for a, c, h in pairs)
-
-    def reaches(self, points: Sequence[Sequence[Exact]]) -> bool:
-        """Whether the least upright rectangle around some points meets the inside of the window."""
-        for values, c, h in zip(
-            zip(*map(self.project, points), strict=True), self.centre, self.half, strict=True
-        ):
-            if min(values) >= c + h or max(values) <= c - h:
-                return False
-        return True
+        """Whether the window shows a point, at its rim too."""
+        triples = zip(self.project(x), self.centre, self.half, strict=True)
+        return all(abs(a - c) <= h for a, c, h in triples)
 
     @property
     def corners(self) -> tuple[Point, Point]:
@@ -150,18 +152,19 @@ def frame(system: RootSystem) -> tuple[tuple[Exact, ...], tuple[Exact, ...]]:
 
 
 def triangles_in(window: Window, triangulation: CoxeterTriangulation) -> tuple[tuple[Triangle, int], ...]:
-    """The triangles that reach into a window, each with the parity of its distance to the first.
+    """The triangles that are on no side beyond a window, each with the parity of its distance to the first.
 
     Neighbours are found by reflection, from the fundamental simplex on. Vertex k of each triangle is
     an image of u_k.
     """
     u, v, w = triangulation.simplex.vertex_matrix.rows()
     todo, found = deque([((u, v, w), 0)]), {frozenset((u, v, w)): ((u, v, w), 0)}
+    sides = cache(window.sides)
     while todo:
         triangle, parity = todo.popleft()
         for k in range(3):
             image = reflected(triangle, k)
-            if frozenset(image) not in found and window.reaches(image):
+            if frozenset(image) not in found and all(map(any, zip(*map(sides, image), strict=True))):
                 found[frozenset(image)] = (image, 1 - parity)
                 todo.append((image, 1 - parity))
     return tuple(found.values())

@@ -15,7 +15,7 @@ from .figure import Figure
 from .legends import area_key, arrow_key, legend
 from .plane import Line, Triangle, Window, frame
 
-_SIZE = 380.0
+_SIZE = 336.0
 _ROOT, _SIMPLE, _HIGHEST = Pen(width=1.7), Pen(VERMILLION, 3.2), Pen(BLUE, 3.2)
 _DOMAIN = (GREEN, 0.45, Pen(GREEN, 1.6))
 
@@ -65,6 +65,8 @@ def root_system_plane(name: object, dual: bool = False) -> Figure[Roots]:
     InvalidInput
         If the rank is not 2.
 
+    Examples
+    --------
     >>> root_system_plane("B2").data.highest
     (Fraction(1, 1), Fraction(1, 1))
     """
@@ -136,8 +138,8 @@ def _draw(data: Roots) -> Canvas:
     ):
         canvas.label(_beyond(window.pixel(vector), 15), text, LABEL + 1)
     what, top = ("coroots", "coroot of the highest root") if data.dual else ("roots", "highest root")
-    keys = [arrow_key(f"simple {what}", _SIMPLE), arrow_key(top, _HIGHEST)]
-    legend(canvas, [*keys, area_key("fundamental domain", *_DOMAIN)], _SIZE)
+    domain = area_key("fundamental domain", *_DOMAIN)
+    legend(canvas, [arrow_key(f"simple {what}", _SIMPLE), domain, arrow_key(top, _HIGHEST)], _SIZE)
     return canvas.fit()
 
 

@@ -15,7 +15,7 @@ from .figure import Figure
 from .legends import legend, point_key
 from .plane import Line, Triangle, Window, frame, triangles_in
 
-_SIZE = 360.0
+_SIZE = 336.0
 _SHADE = 0.07
 
 
@@ -73,6 +73,8 @@ def plane_triangulation(name: object) -> Figure[Plane]:
     InvalidInput
         If the dimension is not 2.
 
+    Examples
+    --------
     >>> plane_triangulation("C~2").data.position
     <Position.BOUNDARY: 'boundary'>
     """
