@@ -13,6 +13,8 @@ import json
 from collections.abc import Callable
 from dataclasses import dataclass
 from fractions import Fraction
+from functools import cache
+from typing import TYPE_CHECKING
 
 from .affine import CoxeterTriangulation
 from .delaunay import delaunay_verdict, protection
@@ -28,6 +30,9 @@ from .quality import (
     thickness,
 )
 from .simplex import regular_simplex
+
+if TYPE_CHECKING:
+    from .claims import Comparison
 
 Cell = Surd | str | None
 
@@ -267,6 +272,62 @@ def _regular(max_dim: int) -> Table:
         "The regular simplex, not normalised",
         ("d", *(m.name.replace("_", " ") for m in measures)),
         tuple((str(d), *(m(regular_simplex(d)) for m in measures)) for d in range(2, max_dim + 1)),
+    )
+
+
+@cache
+def _section6(family: str) -> tuple[Comparison, ...]:
+    from .claims import compare_section6  # it needs SymPy, which takes longer to load than all else here
+
+    return compare_section6(family)
+
+
+def section6_comparison(family: str, item: int) -> Table:
+    """What one item of a family's part of Section 6 prints, held against the exact values.
+
+    Parameters
+    ----------
+    family
+        One of ``A``, ``B``, ``C``, ``D``, ``E6``, ``E7``, ``E8``, ``F4``, ``G2``.
+    item
+        1 to 9.
+    """
+    shown = [x for x in _section6(family) if x.place.endswith(f"item {item}")]
+    return Table(
+        f"Item {item}, as printed",
+        ("quantity", "printed", "outcome", "found"),
+        tuple((x.quantity.replace("_", " "), x.printed, x.outcome.value, x.note) for x in shown),
+    )
+
+
+def table_comparison(number: int, transcription: bool = False) -> Table:
+    """The cells of Table 1 to 6 whose printed value is wrong, with the evidence.
+
+    Parameters
+    ----------
+    number
+        The number of the table.
+    transcription
+        Show the cells in which our copy is damaged instead.
+    """
+    from .claims import Outcome, compare_table
+
+    outcomes = (Outcome.TRANSCRIPTION,) if transcription else (Outcome.DIFFERS, Outcome.ROUNDED_DIFFERENTLY)
+    shown = [x for x in compare_table(number) if x.outcome in outcomes]
+    return Table(
+        f"Table {number}: {'damage of our copy' if transcription else 'wrong in print'}",
+        ("type", "d", "quantity", "printed", "found", "evidence"),
+        tuple(
+            (
+                x.family,
+                str(x.dimension or ""),
+                x.quantity.removeprefix("normalized_").replace("_", " "),
+                x.printed,
+                x.note,
+                x.evidence,
+            )
+            for x in shown
+        ),
     )
 
 

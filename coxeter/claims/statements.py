@@ -3,16 +3,17 @@
 from __future__ import annotations
 
 from collections.abc import Callable
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 from ..affine import Facet
 from ..exact import Exact, Surd, show, sqrt, surd
 from ..families import evaluate
+from ..lattices import spanned_lattice
 from ..paper import Paper, PrintedStatement
 from .core import dimensions, simplex_of, triangulation_of
 from .outcomes import Comparison, Outcome, spell
 from .points import SIGN, exact_point, failures
-from .runs import coordinates, numbers, spell_runs
+from .runs import Point, coordinates, numbers, spell_runs
 
 
 @dataclass(frozen=True)
@@ -37,7 +38,7 @@ def compare_statements(paper: Paper, wanted: Callable[[PrintedStatement], bool])
 
 def compare_statement(paper: Paper, s: PrintedStatement) -> Comparison:
     """One printed statement."""
-    ds = dimensions(s.family)
+    ds = tuple(d for d in dimensions(s.family) if d >= s.low)
     findings = {d: _KINDS[s.kind](s, d) for d in ds}
     fails = tuple(d for d in ds if not findings[d].holds)
     first = fails[0] if fails else ds[0]
@@ -78,6 +79,8 @@ def _text(s: PrintedStatement) -> str:
         "level": f"<s_{{{s.facet}}}, {point}> = {s.text}",
         "product": f"<{normal}, {point}> = {s.text}",
         "space": f"given in R^({s.text})",
+        "combination": f"{' + '.join(f'({c})*u_{{{k}}}' for c, k in s.terms)} = {normal}",
+        "no vertex": f"{normal} is not a vertex",
     }[s.kind]
 
 
@@ -100,6 +103,23 @@ def _evidence(paper: Paper, s: PrintedStatement) -> str:
         value = _product(s, d).exact
         if isinstance(value, Surd) and value == -evaluate(s.text, d=d):
             return "the exact value has the opposite sign"
+    return _evidence_on_combination(s) if s.kind == "combination" else ""
+
+
+def _evidence_on_combination(s: PrintedStatement) -> str:
+    """Whether one other coefficient makes it right, up to the sign, or no integers can."""
+    d = next(d for d in dimensions(s.family) if d >= s.low)
+    wanted = coordinates(s.normal, d, 0)
+    if wanted is None:
+        return ""
+    for i, (coefficient, vertex) in enumerate(s.terms):
+        for c in range(-12, 13):
+            total = _sum(replace(s, terms=(*s.terms[:i], (str(c), vertex), *s.terms[i + 1 :])), d)
+            if total in (wanted, tuple(-x for x in wanted)):
+                sign = "" if total == wanted else "minus "
+                return f"with {c} in place of {coefficient} for u_{vertex} it is {sign}the vector printed"
+    if wanted not in spanned_lattice(triangulation_of(s.family, d)):
+        return "the vector is not in the lattice that the vertices span: no integer combination gives it"
     return ""
 
 
@@ -183,6 +203,28 @@ def _space(s: PrintedStatement, d: int) -> Finding:
     return Finding(bool(s.text) and evaluate(s.text, d=d) == length, Surd(length), f"it is {length}")
 
 
+def _sum(s: PrintedStatement, d: int) -> Point:
+    points = [exact_point(s.family, "vertex", d, _number(k, d)) for _, k in s.terms]
+    coefficients = [evaluate(c, d=d).as_fraction() for c, _ in s.terms]
+    columns = zip(*points, strict=True)
+    return tuple(sum(c * x for c, x in zip(coefficients, column, strict=True)) for column in columns)
+
+
+def _combination(s: PrintedStatement, d: int) -> Finding:
+    exact = _sum(s, d)
+    return Finding(exact == coordinates(s.normal, d, 0), exact, f"it is {show(exact)}")
+
+
+def _no_vertex(s: PrintedStatement, d: int) -> Finding:
+    point = coordinates(s.normal, d, 0)
+    if point is None:
+        return Finding(False, None, "there is no such point")
+    t = triangulation_of(s.family, d)
+    rank = t.integral_roots(point).rank()
+    words = f"it is a vertex: the roots with integer inner product with it have rank {rank}"
+    return Finding(not t.is_vertex(point), None, words)
+
+
 _KINDS: dict[str, Callable[[PrintedStatement, int], Finding]] = {
     "facet": _facet,
     "distance": _distance,
@@ -191,4 +233,6 @@ _KINDS: dict[str, Callable[[PrintedStatement, int], Finding]] = {
     "level": _level,
     "product": _product,
     "space": _space,
+    "combination": _combination,
+    "no vertex": _no_vertex,
 }

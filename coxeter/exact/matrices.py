@@ -121,6 +121,13 @@ class RationalMatrix:
         rows = ("[" + ", ".join(map(str, row)) + "]" for row in self.rows())
         return f"RationalMatrix([{', '.join(rows)}])"
 
+    def _repr_latex_(self) -> str | None:
+        if max(self.shape) > 12:
+            return None  # too large to typeset; the plain form is shown
+        entries = [[_latex(x) for x in row] for row in self.rows()]
+        body = r" \\ ".join(" & ".join(row) for row in entries)
+        return rf"$\begin{{pmatrix}} {body} \end{{pmatrix}}$"
+
     @cached_property
     def _flint(self) -> flint.fmpz_mat:
         return flint.fmpz_mat(*self.shape, [int(n) for n in self.numerators.ravel()])
@@ -139,3 +146,10 @@ class RationalMatrix:
         entries = np.array([int(n) for n in numerators.entries()], dtype=object).reshape(self.shape)
         sign = -1 if denominator < 0 else 1
         return RationalMatrix(narrow(entries * (sign * self.denominator)), abs(int(denominator)))
+
+
+def _latex(x: Fraction) -> str:
+    if x.denominator == 1:
+        return str(x)
+    sign = "-" if x < 0 else ""
+    return rf"{sign}\tfrac{{{abs(x.numerator)}}}{{{x.denominator}}}"

@@ -133,13 +133,15 @@ def _list(value: Any) -> Sequence[Any]:
     return value
 
 
-_KINDS = ("facet", "distance", "minimal", "longest", "level", "product", "space")
+_KINDS = ("facet", "distance", "minimal", "longest", "level", "product", "space", "combination", "no vertex")
 _CHECKS: dict[str, Callable[[Any], Any]] = {
     "table": _integer,
     "decimal": _flag,
     "cells": _texts,
     "runs": _runs,
     "normal": _runs,
+    "terms": _runs,
+    "low": _integer,
     "letter": _one_of("", *"ABCDEFG"),
     "family": _one_of(*FAMILIES, "regular"),
     "parity": _one_of("odd", "even"),

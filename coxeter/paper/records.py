@@ -104,7 +104,11 @@ class PrintedStatement:
         ``longest``: the edge from vertex `first` to vertex `last` is a longest one;
         ``level``: the inner product of facet `facet`'s inward normal and a vertex, or c, is `text`;
         ``product``: the same for a given normal;
-        ``space``: the vertices are given in the space of dimension `text`.
+        ``space``: the vertices are given in the space of dimension `text`;
+        ``combination``: the vector `normal` is the sum of the vertices, with the coefficients, in `terms`;
+        ``no vertex``: the point `normal` is not a vertex of the triangulation.
+    low
+        The first d for which it is stated, if that is not the family's first.
     """
 
     place: str
@@ -116,6 +120,8 @@ class PrintedStatement:
     first: str = ""
     last: str = ""
     normal: Runs = ()
+    terms: Runs = ()
+    low: int = 0
     line: int = 0
 
 
