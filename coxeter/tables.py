@@ -10,6 +10,7 @@ import csv
 import html
 import io
 import json
+import re
 from collections.abc import Callable
 from dataclasses import dataclass
 from fractions import Fraction
@@ -103,7 +104,7 @@ class Table:
     def _repr_html_(self) -> str:
         def cell(value: Cell) -> str:
             exact = f' title="{html.escape(str(value))}"' if isinstance(value, Surd) else ""
-            return f"<td{exact}>{html.escape(_writer(3, False, latex=False)(value))}</td>"
+            return f"<td{exact}>{_html(_writer(3, False, latex=False)(value))}</td>"
 
         head = "".join(f"<th>{html.escape(name)}</th>" for name in self.header)
         body = "".join("<tr>" + "".join(map(cell, row)) + "</tr>" for row in self.rows)
@@ -111,6 +112,16 @@ class Table:
             f'<div class="table-box"><table><caption>{html.escape(self.title)}</caption>'
             f"<thead><tr>{head}</tr></thead><tbody>{body}</tbody></table></div>"
         )
+
+
+def _html(text: str) -> str:
+    """Text as HTML, with ``u_1``, ``B~3`` and ``(0^{3}, 1)`` set as one writes them."""
+    escaped = html.escape(text)
+    if "\\" in escaped:
+        return escaped  # LaTeX of the printed text, shown as it is
+    raised = re.sub(r"\^(\{[^{}]*\})", r"<sup>\1</sup>", escaped)
+    tilde = re.sub(r"\b([A-G])~(\d*)", "\\1\N{COMBINING TILDE}<sub>\\2</sub>", raised)
+    return re.sub(r"(?<=\b[usτhλ])_(\w+)", r"<sub>\1</sub>", tilde)
 
 
 def _writer(digits: int, exact: bool, latex: bool) -> Callable[[Cell], str]:
@@ -225,10 +236,10 @@ def _vertices(max_dim: int) -> Table:
 
 
 def runs(vector: tuple[object, ...]) -> str:
-    """A vector as the paper writes it, with repeated coordinates as powers: ``(1/2^{3}, 0)``.
+    """A vector as the paper writes it, with repeated coordinates as powers.
 
-    >>> runs((1, 0, 0, 0))
-    '(1, 0^{3})'
+    >>> runs(("1/2", "1/2", 0, 0, 0))
+    '((1/2)^{2}, 0^{3})'
     """
     parts: list[tuple[str, int]] = []
     for text in map(str, vector):
@@ -236,7 +247,13 @@ def runs(vector: tuple[object, ...]) -> str:
             parts[-1] = (text, parts[-1][1] + 1)
         else:
             parts.append((text, 1))
-    return "(" + ", ".join(text if n == 1 else f"{text}^{{{n}}}" for text, n in parts) + ")"
+
+    def write(text: str, n: int) -> str:
+        if n == 1:
+            return text
+        return f"{text}^{{{n}}}" if text.isdigit() else f"({text})^{{{n}}}"
+
+    return "(" + ", ".join(write(text, n) for text, n in parts) + ")"
 
 
 def _summary(max_dim: int) -> Table:

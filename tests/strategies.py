@@ -11,7 +11,8 @@ from hypothesis import strategies as st
 
 from coxeter import Surd, sqrt
 
-small_fractions = st.fractions(min_value=-9, max_value=9, max_denominator=12)
+small_fractions = st.builds(Fraction, st.integers(-60, 60), st.sampled_from([1, 2, 3, 4, 5, 7, 12]))
+coordinates = st.integers(-24, 24).map(lambda n: Fraction(n, 6))
 nonzero_fractions = small_fractions.filter(bool)
 radicands = st.sampled_from([1, 2, 3, 5, 6, 8, 12, 15, 45, 10007, 3 * 1009**2])
 
@@ -43,7 +44,7 @@ def simplices(draw, min_dimension: int = 1, max_dimension: int = 4):
     """The vertices of a simplex with small rational coordinates, maybe in a larger space."""
     d = draw(st.integers(min_dimension, max_dimension))
     ambient = d + draw(st.integers(0, 1))
-    point = st.tuples(*[st.fractions(min_value=-4, max_value=4, max_denominator=3)] * ambient)
+    point = st.tuples(*[coordinates] * ambient)
     points = draw(st.lists(point, min_size=d + 1, max_size=d + 1, unique=True))
     assume(oracle.squared_volume(points) > 0)
     return points
@@ -55,7 +56,7 @@ def rotations(draw, n: int):
     a = sympy.zeros(n, n)
     for i in range(n):
         for j in range(i):
-            a[i, j] = rational(draw(st.fractions(min_value=-2, max_value=2, max_denominator=3)))
+            a[i, j] = rational(draw(coordinates) / 2)
             a[j, i] = -a[i, j]
     one = sympy.eye(n)
     matrix = (one - a) * (one + a).inv()

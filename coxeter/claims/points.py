@@ -153,8 +153,8 @@ _MULTIPLES = ("-1", "2", "1/2", "d + 1", "1/(d + 1)")
 def _is_multiple(point: PrintedPoint, factor: str) -> bool:
     """Whether a printed point is a multiple of the exact one wherever they differ."""
     for d, k in failures(point, point.family):
-        exact = exact_point(point.family, point.name, d, k)
-        if _printed_point(point, d, k) != tuple(x * evaluate(factor, d=d) for x in exact):
+        exact, times = exact_point(point.family, point.name, d, k), evaluate(factor, d=d).as_fraction()
+        if _printed_point(point, d, k) != tuple(times * x for x in exact):
             return False
     return True
 

@@ -6,6 +6,7 @@ from collections.abc import Callable
 from dataclasses import dataclass, replace
 
 from ..affine import Facet
+from ..errors import InvalidInput
 from ..exact import Exact, Surd, show, sqrt, surd
 from ..families import evaluate
 from ..lattices import spanned_lattice
@@ -220,9 +221,13 @@ def _no_vertex(s: PrintedStatement, d: int) -> Finding:
     if point is None:
         return Finding(False, None, "there is no such point")
     t = triangulation_of(s.family, d)
+    try:
+        vertex = t.is_vertex(point)
+    except InvalidInput as error:
+        return Finding(False, None, f"there is an error: {error}")
     rank = t.integral_roots(point).rank()
     words = f"it is a vertex: the roots with integer inner product with it have rank {rank}"
-    return Finding(not t.is_vertex(point), None, words)
+    return Finding(not vertex, None, words)
 
 
 _KINDS: dict[str, Callable[[PrintedStatement, int], Finding]] = {
