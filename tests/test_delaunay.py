@@ -41,12 +41,14 @@ def key(kind):
 def ball(kind):
     """R², the vertices near the circumcentre by squared distance, and those of the fundamental simplex.
 
-    The simplex has a neighbour, so a vertex outside it lies within R + L, and (R + L)² <= 2(R² + L²).
+    The ball is large enough to hold all mirror images of the simplex in its facets, so that no vertex
+    outside the ball can be nearest.
     """
     points = oracle.vertices(*key(kind))
     centre = oracle.circumcentre(points)
     square = oracle.squared_distance(centre, points[0])
-    reach = 2 * (square + max(oracle.squared_edges(points).values()))
+    images = [oracle.reflect(p, *facet) for p in points for facet in oracle.facet_equations(*key(kind))]
+    reach = max(oracle.squared_distance(centre, x) for x in images)
     rings = defaultdict(set)
     for x in oracle.vertices_in_ball(*key(kind), centre, reach):
         rings[oracle.squared_distance(x, centre)].add(x)
