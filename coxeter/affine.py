@@ -14,12 +14,12 @@ import math
 from collections.abc import Sequence
 from dataclasses import dataclass
 from fractions import Fraction
-from functools import cached_property
+from functools import cached_property, partial
 
 import numpy as np
 
 from .errors import InvalidInput
-from .exact import RationalMatrix, as_vector, show
+from .exact import RationalMatrix, as_vector, rational, show
 from .exact.matrices import INT64_SAFE
 from .names import Type, parse_triangulation
 from .roots import RootSystem
@@ -107,7 +107,7 @@ def affine_reflection(root: Sequence[object], k: int, point: Sequence[object]) -
     square = _inner(r, r)
     if not square:
         raise InvalidInput("the root is zero: there is no hyperplane to reflect in")
-    factor = 2 * (_inner(x, r) - k) / square
+    factor = 2 * (_inner(x, r) - rational(k)) / square
     return tuple(a - factor * b for a, b in zip(x, r, strict=True))
 
 
@@ -157,7 +157,10 @@ class CoxeterTriangulation:
         inverse_marks, common = _inverse(marks)
         edge_gram = _scaled(gram, inverse_marks, inverse_marks, common**2)
         return Simplex.from_gram_pair(
-            lambda: self._vertices, edge_gram, lambda: self._gradient_gram, determinant
+            partial(getattr, self, "_vertices"),
+            edge_gram,
+            partial(getattr, self, "_gradient_gram"),
+            determinant,
         )
 
     @cached_property
@@ -286,6 +289,7 @@ class CoxeterTriangulation:
 
         A second route to `is_vertex`; it scans all roots, so it is slower.
         """
+        self.levels(point)  # refuses a point outside the span
         chosen = self.integral_roots(point)
         return bool(len(chosen.numerators)) and chosen.rank() == self.dimension
 

@@ -47,10 +47,14 @@ def cartan_matrix(graph: nx.Graph) -> np.ndarray:
     """
     import networkx as nx
 
-    if any(nx.selfloop_edges(graph)):
-        raise InvalidInput("the graph has a loop; a Cartan matrix is defined for graphs without")
+    _without_loops(graph)
     adjacency = np.asarray(nx.to_numpy_array(graph, weight=None, dtype=np.int64))
     return np.asarray(2 * np.eye(len(graph), dtype=np.int64) - adjacency)
+
+
+def _without_loops(graph: nx.Graph) -> None:
+    if any(graph.has_edge(v, v) for v in graph):
+        raise InvalidInput("the graph has a loop: its form is defined for graphs without loops")
 
 
 def bilinear_form(graph: nx.Graph) -> DomainMatrix:
@@ -67,6 +71,7 @@ def bilinear_form(graph: nx.Graph) -> DomainMatrix:
     import sympy
     from sympy.polys.matrices import DomainMatrix
 
+    _without_loops(graph)
     index = {node: i for i, node in enumerate(graph)}
     rows = (2 * sympy.eye(len(graph))).tolist()
     for u, v, m in graph.edges(data="m", default=3):

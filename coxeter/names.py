@@ -84,10 +84,10 @@ def _parse(name: object, minimal: dict[str, int], what: str, tilde: str) -> Type
         [f"{letter}{tilde}d (d >= {low})" for letter, low in minimal.items()]
         + [f"{letter}{tilde}{d}" for letter, ranks in EXCEPTIONAL.items() for d in ranks]
     )
-    match = re.fullmatch(r"([A-Z])~?_?(?:\{)?(\d{1,9})(?:\})?", plain)
+    match = re.fullmatch(r"([A-Z])~?_?(?:(\d{1,9})|\{(\d{1,9})\})", plain)
     if match is None:
         raise InvalidType(f"{text!r} does not name a {what}; there are {allowed}")
-    letter, rank = match[1], int(match[2])
+    letter, rank = match[1], int(match[2] or match[3])
     if letter in minimal:
         if rank >= minimal[letter]:
             return Type(letter, rank)

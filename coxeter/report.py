@@ -31,10 +31,8 @@ def exact(value: object) -> dict[str, Any]:
     {'exact': '1/4', 'decimal': 0.25}
     """
     x = surd(value)
-    decimal: float | str = float(x)
-    if x and not 1e-300 < abs(float(decimal)) < 1e300:
-        decimal = _BEYOND + x.scientific()
-    return {"exact": str(x), "decimal": decimal}
+    fits = not x or Fraction(1, 10**300) < abs(x) < 10**300
+    return {"exact": str(x), "decimal": float(x) if fits else _BEYOND + x.scientific()}
 
 
 _BEYOND = "beyond float: "

@@ -80,7 +80,8 @@ class Lattice:
 
     def __le__(self, other: Lattice) -> bool:
         """Whether this lattice is contained in another."""
-        return all(row in other for row in self.basis.rows())
+        same_space = self.basis.shape[1] == other.basis.shape[1]
+        return same_space and all(row in other for row in self.basis.rows())
 
     def __eq__(self, other: object) -> bool:
         return isinstance(other, Lattice) and self <= other and other <= self

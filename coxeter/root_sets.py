@@ -16,7 +16,7 @@ import numpy as np
 
 from .errors import InvalidInput
 from .exact import RationalMatrix, Surd, as_vector, sqrt
-from .exact.matrices import integer_product
+from .exact.matrices import integer_product, narrow
 
 
 def coroots(roots: RationalMatrix) -> RationalMatrix:
@@ -25,17 +25,24 @@ def coroots(roots: RationalMatrix) -> RationalMatrix:
     >>> coroots(RationalMatrix.from_rows([[0, 2], [1, 1]]))
     RationalMatrix([[0, 1], [1, 1]])
     """
-    squares = (roots.numerators.astype(object) ** 2).sum(axis=1)
-    common = math.lcm(*(int(x) for x in squares))
-    factors = np.array([2 * roots.denominator * (common // int(x)) for x in squares], dtype=object)
-    content = math.gcd(common, *(int(f) for f in factors))
-    out = roots.numerators * np.array([int(f) // content for f in factors], dtype=np.int64)[:, None]
-    return RationalMatrix(out, common // content)
+    n = _without_zero(roots).numerators.astype(object)
+    squares = [int(x) for x in (n**2).sum(axis=1)]
+    common = math.lcm(*squares)
+    factors = [2 * roots.denominator * (common // x) for x in squares]
+    content = math.gcd(common, *factors)
+    scaled = n * np.array([f // content for f in factors], dtype=object)[:, None]
+    return RationalMatrix(narrow(scaled), common // content)
 
 
 def vectors(rows: RationalMatrix | Iterable[Sequence[object]]) -> RationalMatrix:
     """Read a finite set of vectors given as rows; a `RationalMatrix` is returned as it is."""
     return rows if isinstance(rows, RationalMatrix) else RationalMatrix.from_rows(list(rows))
+
+
+def _without_zero(rows: RationalMatrix) -> RationalMatrix:
+    if not rows.numerators.any(axis=1).all():
+        raise InvalidInput("one of the vectors is zero: it has no direction to reflect in")
+    return rows
 
 
 def _gram(rows: RationalMatrix) -> np.ndarray:
@@ -72,7 +79,7 @@ def is_crystallographic(rows: RationalMatrix | Iterable[Sequence[object]]) -> bo
     >>> is_crystallographic([(3, 0), (-3, 0), (0, 3), (0, -3), (1, 1), (-1, -1), (1, -1), (-1, 1)])
     False
     """
-    gram = _gram(vectors(rows))
+    gram = _gram(_without_zero(vectors(rows)))
     return not ((2 * gram) % gram.diagonal()[:, None]).any()
 
 

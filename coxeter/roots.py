@@ -272,7 +272,9 @@ class RootSystem:
             level = np.array(list(fresh.values()), dtype=np.int64).reshape(-1, self.rank)
             found.append(level)
         roots = np.concatenate(found)
-        return roots[np.lexsort((*-roots.T[::-1], roots.sum(axis=1)))]
+        roots = roots[np.lexsort((*-roots.T[::-1], roots.sum(axis=1)))]
+        roots.setflags(write=False)
+        return roots
 
     @cached_property
     def positive_roots(self) -> RationalMatrix:

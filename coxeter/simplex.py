@@ -14,7 +14,7 @@ from collections import Counter
 from collections.abc import Callable, Sequence
 from enum import Enum
 from fractions import Fraction
-from functools import cached_property, lru_cache
+from functools import cached_property, lru_cache, partial
 
 import numpy as np
 
@@ -67,14 +67,15 @@ class Simplex:
 
     def __init__(self, vertices: Sequence[Sequence[object]]) -> None:
         points = read_points(vertices)
+        self._irrational: tuple[tuple[Exact, ...], ...] = ()
+        self._matrix: Callable[[], RationalMatrix] | None = None
         if all(isinstance(x, Fraction) for point in points for x in point):
-            self._set_vertices(RationalMatrix.from_rows(points))
-            v = self.vertex_matrix
+            v = RationalMatrix.from_rows(points)
+            self._matrix = partial(_given, v)
             edges = RationalMatrix(v.numerators[1:] - v.numerators[:1], v.denominator)
             self.edge_gram = edges @ edges.T
         else:
-            self._points: Callable[[], tuple[tuple[Exact, ...], ...]] = lambda: points
-            self._matrix: Callable[[], RationalMatrix] | None = None
+            self._irrational = points
             self.edge_gram = gram_of_edges(points)
         rank = self.edge_gram.rank()
         if rank < len(points) - 1:
@@ -83,7 +84,7 @@ class Simplex:
                 f"they must be affinely independent"
             )
         self.gram_determinant = self.edge_gram.det()
-        self._inverse: Callable[[], RationalMatrix] = lambda: _gradient_gram(self.edge_gram.inverse())
+        self._gradients: Callable[[], RationalMatrix] = partial(_gradients_of, self.edge_gram)
 
     @classmethod
     def from_gram_pair(
@@ -107,18 +108,9 @@ class Simplex:
             The determinant of `edge_gram`.
         """
         self = object.__new__(cls)
-        self.edge_gram, self.gram_determinant, self._inverse = (
-            edge_gram,
-            gram_determinant,
-            gradient_gram,
-        )
-        self._matrix = vertices
-        self._points = lambda: vertices().rows()
+        self.edge_gram, self.gram_determinant = edge_gram, gram_determinant
+        self._matrix, self._gradients, self._irrational = vertices, gradient_gram, ()
         return self
-
-    def _set_vertices(self, matrix: RationalMatrix) -> None:
-        self._matrix = lambda: matrix
-        self._points = matrix.rows
 
     def __repr__(self) -> str:
         return f"<Simplex of dimension {self.dimension}>"
@@ -133,7 +125,7 @@ class Simplex:
     @property
     def vertices(self) -> tuple[tuple[Exact, ...], ...]:
         """The vertices u_0 … u_d as tuples of exact numbers."""
-        return self._points()
+        return self._matrix().rows() if self._matrix else self._irrational
 
     @property
     def vertex_matrix(self) -> RationalMatrix:
@@ -188,7 +180,7 @@ class Simplex:
         The gradient of coordinate k is the inward normal of the facet opposite to vertex k, with
         length one over the height from that vertex.
         """
-        return self._inverse()
+        return self._gradients()
 
     @cached_property
     def squared_heights(self) -> tuple[Fraction, ...]:
@@ -212,8 +204,8 @@ class Simplex:
         >>> Simplex([(0, 0), (1, 0), (0, 1)]).dihedral_cosine(0, 1)
         sqrt(2)/2
         """
-        if i == j:
-            raise InvalidInput(f"facet {i} makes no dihedral angle with itself: give two facets")
+        if i == j or not {i, j} <= set(range(self.dimension + 1)):
+            raise InvalidInput(f"{i} and {j} are not two facets: give two of 0 to {self.dimension}")
         g = self.gradient_gram
         return -g[i, j] / sqrt(g[i, i] * g[j, j])
 
@@ -276,6 +268,8 @@ class Simplex:
 
     def point(self, barycentric: Sequence[Fraction]) -> tuple[Exact, ...]:
         """The point with given barycentric coordinates."""
+        if len(barycentric) != self.dimension + 1:
+            raise InvalidInput(f"{len(barycentric)} coordinates, {self.dimension + 1} are needed")
         if self._matrix is None:
             columns = zip(*self.vertices, strict=True)
             return tuple(sum(w * x for w, x in zip(barycentric, c, strict=True)) for c in columns)
@@ -319,17 +313,19 @@ def regular_simplex(d: int) -> Simplex:
 
 @lru_cache(maxsize=8)
 def _regular_simplex(d: int) -> Simplex:
-    ones, unit = np.ones((d + 1, d + 1), dtype=np.int64), np.eye(d + 1, dtype=np.int64)
-    return Simplex.from_gram_pair(
-        lambda: RationalMatrix.identity(d + 1),
-        RationalMatrix(ones[1:, 1:] + unit[1:, 1:]),
-        lambda: RationalMatrix((d + 1) * unit - ones, d + 1),
-        Fraction(d + 1),
-    )
+    edges = RationalMatrix(np.ones((d, d), dtype=np.int64) + np.eye(d, dtype=np.int64))
+    gradients = RationalMatrix((d + 1) * np.eye(d + 1, dtype=np.int64) - 1, d + 1)
+    vertices = partial(RationalMatrix.identity, d + 1)
+    return Simplex.from_gram_pair(vertices, edges, partial(_given, gradients), Fraction(d + 1))
 
 
-def _gradient_gram(inverse: RationalMatrix) -> RationalMatrix:
+def _given(matrix: RationalMatrix) -> RationalMatrix:
+    return matrix
+
+
+def _gradients_of(edge_gram: RationalMatrix) -> RationalMatrix:
     """Border the inverse Gram matrix of the edges: the gradients sum to zero."""
+    inverse = edge_gram.inverse()
     y = inverse.numerators.astype(object)
     full = np.empty((len(y) + 1, len(y) + 1), dtype=object)
     full[1:, 1:] = y

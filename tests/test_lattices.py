@@ -170,6 +170,23 @@ def test_a_proof_with_another_lattice_is_rejected(name):
 
 
 @pytest.mark.parametrize("name", ["A~3", "C~3", "D~4"])
+def test_a_proof_with_another_lattice_of_the_right_index_is_rejected(name):
+    proof = vertex_lattice(triangulation(name))
+    first, *rest = coroot_lattice(proof.triangulation.roots).basis.rows()
+    index = sum(proof.cosets)
+    other = Lattice.spanned_by([tuple(x / index for x in first), *rest])
+    assert not replace(proof, lattice=other).check()
+
+
+def test_a_lattice_of_the_right_index_that_the_reflections_move_is_rejected():
+    """The vertices of the triangle G~2 span a lattice of index 1 + 2 + 3, but not all vertices lie in it."""
+    t = triangulation("G~2")
+    lattice = Lattice.spanned_by(t.simplex.vertices[1:])
+    assert coroot_lattice(t.roots).index_in(lattice) == sum(vertex_cosets(t))
+    assert not LatticeProof(t, lattice, vertex_cosets(t)).check()
+
+
+@pytest.mark.parametrize("name", ["A~3", "C~3", "D~4"])
 def test_a_proof_with_other_counts_is_rejected(name):
     proof = vertex_lattice(triangulation(name))
     first, *rest = proof.cosets

@@ -124,6 +124,13 @@ def test_the_circumcentre_is_placed_by_its_signs(points):
     assert position(Simplex(points).circumcentre_coordinates) is expected
 
 
+@pytest.mark.parametrize(
+    ("apex", "place"), [((1, 2), Position.INSIDE), ((1, 1), Position.BOUNDARY), ((5, 1), Position.OUTSIDE)]
+)
+def test_the_circumcentre_of_an_acute_a_right_and_an_obtuse_triangle(apex, place):
+    assert position(Simplex([(0, 0), (2, 0), apex]).circumcentre_coordinates) is place
+
+
 @given(simplices())
 def test_the_gradients_are_dual_to_the_edges(points):
     simplex = Simplex(points)

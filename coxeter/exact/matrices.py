@@ -15,10 +15,11 @@ from functools import cached_property
 import flint
 import numpy as np
 
-from ..errors import InvalidInput
+from ..errors import InexactInput, InvalidInput
 from .rationals import rational
 
-INT64_SAFE = 2**62
+INT64_SAFE = 2**60
+"""Below this, sums and differences of up to eight entries fit into ``int64`` too."""
 
 
 def narrow(numerators: np.ndarray) -> np.ndarray:
@@ -67,6 +68,18 @@ class RationalMatrix:
 
     numerators: np.ndarray
     denominator: int = 1
+
+    def __post_init__(self) -> None:
+        if self.numerators.dtype.kind not in "iuO":
+            raise InexactInput(f"an array of {self.numerators.dtype} is inexact: give integers")
+        if isinstance(self.denominator, bool) or not self.denominator > 0:
+            raise InvalidInput(f"{self.denominator} is no denominator: give a positive integer")
+        kept = self.numerators
+        if kept.dtype not in (np.int64, object):
+            kept = kept.astype(object if kept.dtype == np.uint64 else np.int64)
+        kept = kept.view()
+        kept.setflags(write=False)  # what is computed once is shared by all who ask
+        object.__setattr__(self, "numerators", kept)
 
     @classmethod
     def from_rows(cls, rows: Sequence[Sequence[object]]) -> RationalMatrix:

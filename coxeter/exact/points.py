@@ -15,18 +15,24 @@ from .surd import Exact, Surd
 
 def read_points(vertices: Sequence[Sequence[object]]) -> tuple[tuple[Exact, ...], ...]:
     """Read at least two points with equally many exact coordinates; errors name the vertex."""
-    rows = [
-        list(v) if isinstance(v, (Sequence, np.ndarray)) and not isinstance(v, str) else v for v in vertices
-    ]
-    if any(not isinstance(row, list) for row in rows):
+    if not _is_list(vertices) or not all(_is_list(row) for row in vertices):
         raise InvalidInput("vertices are points: give a list of lists of coordinates")
-    lengths = {len(row) for row in rows}
-    if len(rows) < 2 or len(lengths) != 1:
-        raise InvalidInput(
-            f"{len(rows)} vertices with {sorted(lengths)} coordinates: "
-            "give at least two points, all with the same number of coordinates"
-        )
-    return tuple(tuple(_read(x, i, j) for j, x in enumerate(row)) for i, row in enumerate(rows))
+    if len(vertices) < 2:
+        raise InvalidInput(f"{len(vertices)} vertices make no simplex: give at least two points")
+    n = len(vertices[0])
+    for i, row in enumerate(vertices):
+        if len(row) != n:
+            raise InvalidInput(
+                f"vertex {i} has {len(row)} coordinates and vertex 0 has {n}: "
+                "give all points the same number of coordinates"
+            )
+    return tuple(tuple(_read(x, i, j) for j, x in enumerate(row)) for i, row in enumerate(vertices))
+
+
+def _is_list(value: object) -> bool:
+    if isinstance(value, np.ndarray):
+        return value.ndim > 0
+    return isinstance(value, Sequence) and not isinstance(value, str)
 
 
 def _read(value: object, i: int, j: int) -> Exact:

@@ -112,16 +112,48 @@ def power(a: Terms, k: int) -> Terms:
 
 
 def reduce(num: Terms, den: Terms) -> tuple[Terms, Terms]:
-    """Cancel what a numerator and a denominator of several terms visibly share."""
+    """Cancel what a numerator and a denominator of several terms share, a sum common to both included."""
+    ratio = _ratio(num, den)
+    if ratio is not None:
+        return ratio, ONE
     common = math.gcd(*(n for n, _ in den))
     if common > 1:
-        scale: Terms = ((common, Fraction(1, common)),)
-        num, den = times(num, scale), times(den, scale)
+        num, den = _over_root(num, common), _over_root(den, common)
     coefficients = [q for _, q in (*num, *den)]
     integral = math.lcm(*(q.denominator for q in coefficients))
     shared = math.gcd(*(int(q * integral) for q in coefficients))
     content: Terms = ((1, Fraction(integral, shared) * sign(den)),)
     return times(num, content), times(den, content)
+
+
+def _ratio(num: Terms, den: Terms) -> Terms | None:
+    """The quotient, if the numerator is a rational multiple of the denominator."""
+    if len(num) != len(den):
+        return None if num else ()
+    n, q = den[0]
+    for m, p in num:
+        root = math.isqrt(n * m)
+        if root * root == n * m:  # the term in the same square class: sqrt(m) = root/n * sqrt(n)
+            ratio: Terms = ((1, p * Fraction(root, n) / q),)
+            return ratio if not plus(num, negative(times(ratio, den))) else None
+    return None
+
+
+def _over_root(a: Terms, common: int) -> Terms:
+    """A sum divided by the square root of an integer."""
+    return collect((n // common, q) if n % common == 0 else (n * common, q / common) for n, q in a)
+
+
+def prime_factors(n: int) -> list[int]:
+    """The primes that divide a positive integer."""
+    primes, p = [], 2
+    while p * p <= n:
+        if n % p == 0:
+            primes.append(p)
+            while n % p == 0:
+                n //= p
+        p += 1
+    return [*primes, n] if n > 1 else primes
 
 
 def exact_root(q: Fraction, p: int) -> Fraction | None:

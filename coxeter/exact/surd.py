@@ -10,20 +10,23 @@ from __future__ import annotations
 
 import math
 import numbers
+from collections.abc import Callable
 from fractions import Fraction
 from functools import total_ordering
-from typing import TYPE_CHECKING, Any, Union
+from typing import TYPE_CHECKING, Any, TypeVar, Union
 
 import flint
 
 from ..errors import InvalidInput
 from . import sums
 from .rationals import rational
-from .sums import ONE, SMALL_PRIMES, Terms, collect, negative, plus, precisions, times
+from .sums import ONE, Terms, collect, negative, plus, precisions, times
 from .writing import LATEX, PLAIN, write
 
 if TYPE_CHECKING:
     import sympy
+
+_T = TypeVar("_T", int, float)
 
 Exact = Union[int, Fraction, "Surd"]
 
@@ -89,7 +92,7 @@ class Surd:
     @classmethod
     def _radical(cls, q: Fraction, index: int) -> Surd:
         """``q ** (1/index)`` for a positive rational, with the least possible index."""
-        for p in [p for p in SMALL_PRIMES if index % p == 0]:
+        for p in sums.prime_factors(index):
             while index % p == 0 and (root := sums.exact_root(q, p)) is not None:
                 q, index = root, index // p
         if index <= 2:
@@ -111,13 +114,7 @@ class Surd:
     @property
     def is_rational(self) -> bool:
         """Whether the number is rational."""
-        if self.index > 1:
-            return False
-        if self.den == ONE:
-            return not self.num or (len(self.num) == 1 and self.num[0][0] == 1)
-        # num/den = q means proportional terms, hence the same square classes
-        ratio = collect([(1, self.num[0][1] / self.den[0][1])]) if self.num else ()
-        return plus(self.num, times(negative(ratio), self.den)) == ()
+        return self.index == 1 and self.den == ONE and all(n == 1 for n, _ in self.num)
 
     def as_fraction(self) -> Fraction:
         """The number as a `Fraction`; raises `InvalidInput` if it is irrational."""
@@ -190,16 +187,19 @@ class Surd:
             return NotImplemented
         p, k = Fraction(exponent).as_integer_ratio()
         base = self if p >= 0 else self._inverse()
-        if self.index == 1:
-            return _power(base, abs(p)).root(k) if k > 1 else _power(base, abs(p))
         plain = _rebuild(base.num, base.den, 1)
-        return _power(plain, abs(p)).root(self.index * k)
+        power = Fraction(abs(p), k * self.index)
+        return _power(plain, power.numerator).root(power.denominator)
 
     def root(self, index: int) -> Surd:
         """The real root of a non-negative number: ``x.root(3)`` is the cube root of x."""
+        if not isinstance(index, int) or isinstance(index, bool) or index < 1:
+            raise InvalidInput(f"{index!r} is no index of a root: give an integer >= 1")
+        if index == 1 or not self.num:
+            return self
         if self.sign() < 0:
             raise InvalidInput(f"{self} is negative: it has no real root of index {index}")
-        return self if index == 1 or not self.num else Surd._make(self.num, self.den, self.index * index)
+        return Surd._make(self.num, self.den, self.index * index)
 
     def __abs__(self) -> Surd:
         return -self if self.sign() < 0 else self
@@ -232,7 +232,7 @@ class Surd:
         raise AssertionError("unreachable")
 
     def __hash__(self) -> int:
-        return hash(self.as_fraction()) if self.is_rational else hash(float(self))
+        return hash(self.as_fraction()) if self.is_rational else hash(self.scientific())
 
     def __bool__(self) -> bool:
         return bool(self.num)
@@ -243,28 +243,26 @@ class Surd:
         ball = sums.ball(self.num) / sums.ball(self.den)
         return ball if self.index == 1 else ball.root(self.index)
 
-    def _scaled_integer(self, scale: Fraction) -> int:
-        """``self * scale`` rounded to the nearest integer, ties (only rationals have them) to even."""
+    def _rounded(self, rounding: Callable[[Fraction], _T]) -> _T:
+        """A monotone rounding of the number, from balls refined until both ends round alike."""
         if self.is_rational:
-            return round(self.as_fraction() * scale)
-        for precision in precisions():
+            return rounding(self.as_fraction())
+        for precision in precisions():  # an irrational number is no tie, so this ends
             with flint.ctx.workprec(precision):
                 ball = self._enclosure()
-                low, high = (round(_fraction(end) * scale) for end in (ball.lower(), ball.upper()))
+                if not ball.is_finite():
+                    continue  # the denominator is not yet told from zero
+                low, high = (rounding(_fraction(end)) for end in (ball.lower(), ball.upper()))
                 if low == high:
                     return low
         raise AssertionError("unreachable")
 
+    def _scaled_integer(self, scale: Fraction) -> int:
+        """``self * scale`` rounded to the nearest integer, ties (only rationals have them) to even."""
+        return self._rounded(lambda x: round(x * scale))
+
     def __float__(self) -> float:
-        if self.is_rational:
-            return float(self.as_fraction())
-        for precision in precisions():
-            with flint.ctx.workprec(precision):
-                ball = self._enclosure()
-                low, high = (float(_fraction(end)) for end in (ball.lower(), ball.upper()))
-                if low == high:
-                    return low
-        raise AssertionError("unreachable")
+        return self._rounded(float)
 
     def decimal(self, digits: int = 3) -> str:
         """The correctly rounded decimal with that many digits after the point.
@@ -272,6 +270,8 @@ class Surd:
         >>> sqrt(2).decimal(5), Surd("2/3").decimal()
         ('1.41421', '0.667')
         """
+        if digits < 0:
+            raise InvalidInput(f"{digits} digits cannot be shown: give a number >= 0")
         n = self._scaled_integer(Fraction(10**digits))
         text = str(flint.fmpz(abs(n))).rjust(digits + 1, "0")
         whole, part = (text[:-digits], text[-digits:]) if digits else (text, "")
@@ -285,8 +285,12 @@ class Surd:
         """
         if not self:
             return "0"
-        with flint.ctx.workprec(64):
-            guess = math.floor(float((abs(self)._enclosure().log() / flint.arb(10).log()).mid()))
+        for precision in precisions():
+            with flint.ctx.workprec(precision):
+                logarithm = abs(self)._enclosure().log() / flint.arb(10).log()
+                if logarithm.is_finite():
+                    guess = math.floor(float(logarithm.mid()))
+                    break
         for e in (guess - 1, guess, guess + 1):  # the exponent is the least that leaves enough digits
             n = abs(self)._scaled_integer(Fraction(10) ** (digits - 1 - e))
             if n < 10**digits:

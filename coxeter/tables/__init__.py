@@ -6,173 +6,39 @@ decimals rounded once.
 
 from __future__ import annotations
 
-import csv
-import html
-import io
-import json
-import re
 from collections.abc import Callable
-from dataclasses import dataclass
-from fractions import Fraction
 from functools import cache
 from typing import TYPE_CHECKING
 
-from .affine import CoxeterTriangulation
-from .delaunay import delaunay_verdict, protection
-from .errors import InvalidInput
-from .exact import Surd
-from .lattices import vertex_lattice
-from .names import Type, triangulations_up_to
-from .quality import (
+from ..affine import CoxeterTriangulation
+from ..delaunay import delaunay_verdict, protection
+from ..errors import InvalidInput
+from ..exact import Surd
+from ..lattices import vertex_lattice
+from ..names import Type, triangulations_up_to
+from ..quality import (
     Measure,
     aspect_ratio,
     fatness,
     radius_ratio,
     thickness,
 )
-from .simplex import regular_simplex
+from ..simplex import regular_simplex
+from .table import FORMATS, Cell, Table
 
 if TYPE_CHECKING:
-    from .claims import Comparison
+    from ..claims import Comparison
 
-Cell = Surd | str | None
-
-FORMATS = ("text", "md", "latex", "csv", "json")
-
-
-@dataclass(frozen=True)
-class Table:
-    """A table of exact values.
-
-    Attributes
-    ----------
-    title
-        What is tabulated.
-    header
-        The column headings; the first is that of the row names.
-    rows
-        Rows of cells: a row name, then exact numbers, text, or None where there is nothing.
-    """
-
-    title: str
-    header: tuple[str, ...]
-    rows: tuple[tuple[Cell, ...], ...]
-
-    def render(self, format: str = "text", digits: int = 3, exact: bool = False) -> str:
-        """The table in one of the formats ``text``, ``md``, ``latex``, ``csv`` and ``json``.
-
-        Parameters
-        ----------
-        format
-            The format. JSON gives each exact value as an object with ``exact`` and ``decimal``.
-        digits
-            Digits after the point of the decimals, correctly rounded (a tie to the even digit); numbers
-        that would lose all digits are given in scientific notation.
-        exact
-            Write the exact values instead of decimals.
-
-        Raises
-        ------
-        InvalidInput
-            If there is no such format, or the number of digits is negative.
-        """
-        if format not in FORMATS:
-            raise InvalidInput(f"{format!r} is no format; there are {', '.join(FORMATS)}")
-        if digits < 0:
-            raise InvalidInput(f"{digits} digits cannot be shown: give a number >= 0")
-        if format == "json":
-            return self._json(digits)
-        write = _writer(digits, exact, latex=format == "latex")
-        body = [[write(cell) for cell in row] for row in self.rows]
-        return _RENDERERS[format](self, body)
-
-    def _json(self, digits: int) -> str:
-        rows = [
-            {
-                name: {"exact": str(cell), "decimal": cell.decimal(digits)}
-                if isinstance(cell, Surd)
-                else cell
-                for name, cell in zip(self.header, row, strict=True)
-            }
-            for row in self.rows
-        ]
-        return json.dumps({"title": self.title, "rows": rows}, indent=1, ensure_ascii=False)
-
-    def __repr__(self) -> str:
-        return self.render("text")
-
-    def _repr_html_(self) -> str:
-        def cell(value: Cell) -> str:
-            exact = f' title="{html.escape(str(value))}"' if isinstance(value, Surd) else ""
-            return f"<td{exact}>{_html(_writer(3, False, latex=False)(value))}</td>"
-
-        head = "".join(f"<th>{html.escape(name)}</th>" for name in self.header)
-        body = "".join("<tr>" + "".join(map(cell, row)) + "</tr>" for row in self.rows)
-        return (
-            f'<div class="table-box"><table><caption>{html.escape(self.title)}</caption>'
-            f"<thead><tr>{head}</tr></thead><tbody>{body}</tbody></table></div>"
-        )
-
-
-def _html(text: str) -> str:
-    """Text as HTML, with ``u_1``, ``B~3`` and ``(0^{3}, 1)`` set as one writes them."""
-    escaped = html.escape(text)
-    if "\\" in escaped:
-        return escaped  # LaTeX of the printed text, shown as it is
-    raised = re.sub(r"\^(\{[^{}]*\})", r"<sup>\1</sup>", escaped)
-    tilde = re.sub(r"\b([A-G])~(\d*)", "\\1\N{COMBINING TILDE}<sub>\\2</sub>", raised)
-    return re.sub(r"(?<=\b[usτhλ])_(\w+)", r"<sub>\1</sub>", tilde)
-
-
-def _writer(digits: int, exact: bool, latex: bool) -> Callable[[Cell], str]:
-    def write(cell: Cell) -> str:
-        if not isinstance(cell, Surd):
-            return cell or ""
-        if not exact:
-            lost = cell and abs(cell) < Fraction(1, 10**digits)
-            return cell.scientific(digits + 1) if lost else cell.decimal(digits)
-        return f"${cell.latex()}$" if latex else str(cell)
-
-    return write
-
-
-def _as_text(table: Table, body: list[list[str]]) -> str:
-    lines = [list(table.header), *([x or "-" for x in row] for row in body)]
-    widths = [max(len(line[i]) for line in lines) for i in range(len(table.header))]
-    rule = "  ".join("-" * w for w in widths)
-    out = ["  ".join(x.ljust(w) for x, w in zip(line, widths, strict=True)).rstrip() for line in lines]
-    return "\n".join([table.title, "", out[0], rule, *out[1:]])
-
-
-def _as_markdown(table: Table, body: list[list[str]]) -> str:
-    lines = [list(table.header), ["---"] * len(table.header), *([x or "–" for x in row] for row in body)]
-    return "\n".join(["| " + " | ".join(line) + " |" for line in lines])
-
-
-def _as_latex(table: Table, body: list[list[str]]) -> str:
-    lines = [list(table.header), *([x or "--" for x in row] for row in body)]
-    rows = [" & ".join(_tex(x) for x in line) + r" \\" for line in lines]
-    columns = "l" + "c" * (len(table.header) - 1)
-    top, bottom = rf"\begin{{tabular}}{{{columns}}}", r"\end{tabular}"
-    return "\n".join([top, r"\hline", rows[0], r"\hline", *rows[1:], r"\hline", bottom])
-
-
-def _tex(text: str) -> str:
-    return text if text.startswith("$") else text.replace("~", r"\textasciitilde{}").replace("_", r"\_")
-
-
-def _as_csv(table: Table, body: list[list[str]]) -> str:
-    out = io.StringIO()
-    csv.writer(out, lineterminator="\n").writerows([table.header, *body])
-    return out.getvalue().rstrip("\n")
-
-
-_RENDERERS: dict[str, Callable[[Table, list[list[str]]], str]] = {
-    "text": _as_text,
-    "md": _as_markdown,
-    "latex": _as_latex,
-    "csv": _as_csv,
-}
+__all__ = [
+    "FORMATS",
+    "TABLES",
+    "Table",
+    "measure_table",
+    "runs",
+    "section6_comparison",
+    "table",
+    "table_comparison",
+]
 
 TABLES = ("1", "2", "3", "4", "5", "6", "regular")
 
@@ -294,7 +160,7 @@ def _regular(max_dim: int) -> Table:
 
 @cache
 def _section6(family: str) -> tuple[Comparison, ...]:
-    from .claims import compare_section6  # it needs SymPy, which takes longer to load than all else here
+    from ..claims import compare_section6  # it needs SymPy, which takes longer to load than all else here
 
     return compare_section6(family)
 
@@ -327,7 +193,7 @@ def table_comparison(number: int, transcription: bool = False) -> Table:
     transcription
         Show the cells in which our copy is damaged instead.
     """
-    from .claims import Outcome, compare_table
+    from ..claims import Outcome, compare_table
 
     outcomes = (Outcome.TRANSCRIPTION,) if transcription else (Outcome.DIFFERS, Outcome.ROUNDED_DIFFERENTLY)
     shown = [x for x in compare_table(number) if x.outcome in outcomes]
