@@ -231,6 +231,8 @@ class CoxeterTriangulation:
         A reflection in facet k changes only the levels of the nodes joined to k, level j by
         -n(s_j, s_k) times level k. As long as a level is negative its facet is reflected in; each
         step brings the point closer to any interior point, and its orbit is discrete, so this ends.
+        There are as many steps as hyperplanes between the point and the simplex: move a point that
+        lies far away by a vector of the coroot lattice first.
 
         Raises
         ------
@@ -281,7 +283,7 @@ class CoxeterTriangulation:
         roots = self.roots.positive_roots
         column = RationalMatrix.from_rows([[c] for c in x])
         product = roots @ column
-        chosen = (product.numerators[:, 0] % product.denominator) == 0
+        chosen = (product.numerators[:, 0].astype(object) % product.denominator) == 0
         return RationalMatrix(roots.numerators[chosen], roots.denominator)
 
     def is_vertex_by_rank(self, point: Sequence[object]) -> bool:

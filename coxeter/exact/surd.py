@@ -283,6 +283,8 @@ class Surd:
         >>> (sqrt(2) / 10**400).scientific(6)
         '1.41421e-400'
         """
+        if digits < 1:
+            raise InvalidInput(f"{digits} digits cannot be shown: give a number >= 1")
         if not self:
             return "0"
         for precision in precisions():
