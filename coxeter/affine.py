@@ -264,6 +264,8 @@ class CoxeterTriangulation:
     def unfold(self, word: Sequence[int], point: Sequence[Fraction]) -> Vector:
         """Undo the reflections of a word: the inverse of `fold`."""
         x = tuple(point)
+        if not set(word) <= set(range(self.dimension + 1)):
+            raise InvalidInput(f"{tuple(word)} names no facets: there are 0 to {self.dimension}")
         for k in reversed(word):
             x = self.facets[k].reflect(x)
         return x

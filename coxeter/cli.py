@@ -7,6 +7,7 @@ from __future__ import annotations
 
 import argparse
 import os
+import re
 import sys
 from collections.abc import Sequence
 from typing import NoReturn
@@ -92,13 +93,16 @@ def main(arguments: Sequence[str] | None = None) -> int:
     """Run one command; returns the exit status."""
     given = list(sys.argv[1:] if arguments is None else arguments)
     if given[:1] == ["simplex"]:  # a vertex may start with a minus sign; it is no option
-        given = [f" {x}" if x[:1] == "-" and x[1:2].isdigit() else x for x in given]
+        given = [f" {x}" if re.match(r"-[^-h]", x) else x for x in given]
     try:
         options = _parser().parse_args(given)
         print(options.run(options), flush=True)
     except CoxeterError as error:
         print(f"coxeter: {error}", file=sys.stderr)
         return 2
+    except KeyboardInterrupt:
+        print("coxeter: stopped", file=sys.stderr)
+        return 130
     except MemoryError:
         print("coxeter: there is not enough memory for this dimension; try a smaller one", file=sys.stderr)
         return 2

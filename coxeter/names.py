@@ -10,6 +10,7 @@ from .errors import InvalidType
 
 MINIMAL_RANK = {"A": 1, "B": 2, "C": 2, "D": 4}
 MINIMAL_DIMENSION = {"A": 2, "B": 3, "C": 2, "D": 4}
+LARGEST_RANK = 100_000
 EXCEPTIONAL = {"E": (6, 7, 8), "F": (4,), "G": (2,)}
 FAMILIES = ("A", "B", "C", "D", "E6", "E7", "E8", "F4", "G2")
 """The nine families of the paper: four infinite ones and five single triangulations."""
@@ -48,7 +49,7 @@ class Type:
 
     @property
     def family(self) -> str:
-        """The family among the paper's nine: ``B``, or ``E6`` for a single triangulation."""
+        """The family among the paper's nine, ``B``, or ``E6`` for a single triangulation."""
         return self.letter if self.letter in MINIMAL_RANK else self.finite
 
 
@@ -84,10 +85,15 @@ def _parse(name: object, minimal: dict[str, int], what: str, tilde: str) -> Type
         [f"{letter}{tilde}d (d >= {low})" for letter, low in minimal.items()]
         + [f"{letter}{tilde}{d}" for letter, ranks in EXCEPTIONAL.items() for d in ranks]
     )
-    match = re.fullmatch(r"([A-Z])~?_?(?:(\d{1,9})|\{(\d{1,9})\})", plain)
+    match = re.fullmatch(r"([A-Z])~?_?(?:([0-9]+)|\{([0-9]+)\})", plain)
     if match is None:
         raise InvalidType(f"{text!r} does not name a {what}; there are {allowed}")
-    letter, rank = match[1], int(match[2] or match[3])
+    letter, digits = match[1], match[2] or match[3]
+    if len(digits) > len(str(LARGEST_RANK)) or int(digits) > LARGEST_RANK:
+        raise InvalidType(
+            f"{text!r} is too large to compute with: the dimension may be {LARGEST_RANK} at most"
+        )
+    rank = int(digits)
     if letter in minimal:
         if rank >= minimal[letter]:
             return Type(letter, rank)

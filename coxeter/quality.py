@@ -37,8 +37,8 @@ class Measure:
     per_dimension: bool = False
 
     def __call__(self, simplex: Simplex) -> Surd:
-        """The raw measure of a simplex."""
-        return surd(self.of(simplex))
+        """The raw measure of a simplex, or of the fundamental simplex of a triangulation."""
+        return surd(self.of(_simplex_of(simplex)))
 
     def normalized(self, simplex: Simplex) -> Surd:
         """The measure divided by that of the regular simplex; to the power 1/d if `per_dimension`.
@@ -46,14 +46,22 @@ class Measure:
         >>> fatness.normalized(regular_simplex(5))
         1
         """
-        ratio = self(simplex) / _of_regular_simplex(self, simplex.dimension)
-        return ratio.root(simplex.dimension) if self.per_dimension else ratio
+        d = _simplex_of(simplex).dimension
+        ratio = self(simplex) / _of_regular_simplex(self, d)
+        return ratio.root(d) if self.per_dimension else ratio
 
     @property
     def normalized_symbol(self) -> str:
         """LaTeX for the normalised measure."""
         power = "^{1/d}" if self.per_dimension else ""
         return rf"\hat{{{self.symbol}}}{power}"
+
+
+def _simplex_of(value: object) -> Simplex:
+    simplex = getattr(value, "simplex", value)
+    if not isinstance(simplex, Simplex):
+        raise InvalidInput(f"{value!r} is neither a simplex nor a triangulation")
+    return simplex
 
 
 @lru_cache(maxsize=512)

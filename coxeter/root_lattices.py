@@ -56,7 +56,7 @@ class Lattice:
 
     @property
     def gram_determinant(self) -> Fraction:
-        """The determinant of the Gram matrix of a basis: the squared volume of a fundamental cell."""
+        """The determinant of the Gram matrix of a basis, the squared volume of a fundamental cell."""
         return (self.basis @ self.basis.T).det()
 
     def dual(self) -> Lattice:

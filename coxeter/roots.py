@@ -152,7 +152,7 @@ class RootSystem:
 
     @cached_property
     def connection_index(self) -> int:
-        """The index of the root lattice in the weight lattice: the determinant of the Cartan matrix."""
+        """The index of the root lattice in the weight lattice, the determinant of the Cartan matrix."""
         return determinant(self._neighbours)
 
     @cached_property
@@ -188,7 +188,7 @@ class RootSystem:
 
     @cached_property
     def fundamental_coweights(self) -> RationalMatrix:
-        """The basis dual to the simple roots, as rows: <w_i, s_j> is 1 if i = j, else 0.
+        """The basis dual to the simple roots, as rows; <w_i, s_j> is 1 if i = j, else 0.
 
         >>> root_system("C2").fundamental_coweights
         RationalMatrix([[1, 0], [1/2, 1/2]])
@@ -226,7 +226,7 @@ class RootSystem:
 
     @cached_property
     def squared_length_of_highest_root(self) -> Fraction:
-        """<s~, s~>: that of a longest simple root."""
+        """<s~, s~>, that of a longest simple root."""
         return max(self.squared_lengths)
 
     @cached_property
@@ -288,7 +288,7 @@ class RootSystem:
 
     @cached_property
     def roots(self) -> RationalMatrix:
-        """All roots as rows: the positive ones, then their negatives (Definition 3)."""
+        """All roots as rows, the positive ones, then their negatives (Definition 3)."""
         half = self.positive_roots
         return RationalMatrix(np.concatenate([half.numerators, -half.numerators]), half.denominator)
 
@@ -299,7 +299,7 @@ class RootSystem:
 
     @cached_property
     def heights(self) -> tuple[int, ...]:
-        """The height of each positive root: the sum of its coordinates."""
+        """The height of each positive root, the sum of its coordinates."""
         return tuple(int(h) for h in self.positive_root_coordinates.sum(axis=1))
 
     @property

@@ -168,14 +168,14 @@ class Simplex:
 
     @cached_property
     def volume(self) -> Surd:
-        """The d-dimensional volume: the root of the Gram determinant of the edges, over d!."""
+        """The d-dimensional volume, the root of the Gram determinant of the edges, over d!."""
         return sqrt(self.gram_determinant) / math.factorial(self.dimension)
 
     # -- heights and angles -------------------------------------------------------------------------
 
     @cached_property
     def gradient_gram(self) -> RationalMatrix:
-        """Γ: inner products of the gradients of the barycentric coordinates, (d + 1, d + 1).
+        """Γ, inner products of the gradients of the barycentric coordinates, (d + 1, d + 1).
 
         The gradient of coordinate k is the inward normal of the facet opposite to vertex k, with
         length one over the height from that vertex.
@@ -227,7 +227,7 @@ class Simplex:
 
     @cached_property
     def squared_circumradius(self) -> Fraction:
-        """The square of the circumradius: ½ Σ_k q_k λ_k with the circumcentre's coordinates λ."""
+        """The square of the circumradius, ½ Σ_k q_k λ_k with the circumcentre's coordinates λ."""
         pairs = zip(self._squared_from_first(), self.circumcentre_coordinates[1:], strict=True)
         total = sum((int(q) * x for q, x in pairs), Fraction(0))
         return total / (2 * self.edge_gram.denominator)
@@ -249,12 +249,12 @@ class Simplex:
 
     @property
     def inradius(self) -> Surd:
-        """r, the radius of the inscribed ball: one over the sum of the inverse heights."""
+        """r, the radius of the inscribed ball, one over the sum of the inverse heights."""
         return 1 / self._sum_of_inverse_heights
 
     @cached_property
     def incentre(self) -> tuple[Surd, ...]:
-        """The centre of the inscribed ball: vertex k has the weight of one over its height."""
+        """The centre of the inscribed ball; vertex k has the weight of one over its height."""
         parts: dict[int, dict[int, Fraction]] = {}  # radicand -> vertex -> rational factor
         for k, square in enumerate(self.squared_heights):
             ((radicand, factor),) = sqrt(1 / square).num

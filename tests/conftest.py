@@ -9,7 +9,7 @@ from hypothesis import HealthCheck, Phase, settings
 COMMON = {"deadline": None, "suppress_health_check": [HealthCheck.too_slow], "database": None}
 
 settings.register_profile(
-    "default", max_examples=30, derandomize=True, phases=[Phase.explicit, Phase.generate], **COMMON
+    "quick", max_examples=30, derandomize=True, phases=[Phase.explicit, Phase.generate], **COMMON
 )
-settings.register_profile("search", max_examples=1000, **COMMON)
-settings.load_profile("default")
+settings.register_profile("search", max_examples=1000, derandomize=False, phases=list(Phase), **COMMON)
+settings.load_profile("quick")

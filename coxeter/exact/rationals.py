@@ -3,11 +3,14 @@
 from __future__ import annotations
 
 import numbers
+import re
 from fractions import Fraction
 
 import flint
 
 from ..errors import InexactInput, InvalidInput
+
+LARGEST_EXPONENT = 10_000
 
 
 def rational(value: object) -> Fraction:
@@ -32,6 +35,9 @@ def rational(value: object) -> Fraction:
     if hasattr(value, "as_fraction"):
         return value.as_fraction()  # type: ignore[no-any-return]  # a surd, if it is rational
     if isinstance(value, str):
+        exponent = re.search(r"[eE][+-]?([0-9_]+)", value)
+        if exponent and int(exponent[1].replace("_", "") or 0) > LARGEST_EXPONENT:
+            raise InvalidInput(f"{value!r} has an exponent larger than {LARGEST_EXPONENT}")
         try:
             return Fraction(value.strip())
         except (ValueError, ZeroDivisionError):

@@ -10,10 +10,10 @@ from fractions import Fraction
 from typing import Any
 
 from ..errors import CoxeterError, InexactInput, InvalidInput
-from .rationals import rational
+from .rationals import LARGEST_EXPONENT, rational
 from .surd import Surd, sqrt
 
-_LARGEST_POWER = 10_000
+_LARGEST_SIZE = 200_000  # bits
 _OPERATIONS: dict[type, Any] = {
     ast.Add: operator.add,
     ast.Sub: operator.sub,
@@ -60,15 +60,16 @@ def _evaluate(node: ast.expr, text: str) -> Surd:
     """The value of a sum, product, quotient, power or square root; anything else is refused."""
     match node:
         case ast.Constant(int() | float()) if not isinstance(node.value, bool):
-            return Surd(Fraction(ast.get_source_segment(text, node) or ""))
+            return Surd(rational(ast.get_source_segment(text, node) or ""))
         case ast.UnaryOp(ast.USub(), operand):
             return -_evaluate(operand, text)
         case ast.Call(ast.Name("sqrt"), [argument], []):
             return sqrt(_evaluate(argument, text))
         case ast.BinOp(base, ast.Pow(), exponent):
-            power = _evaluate(exponent, text).as_fraction()
-            if max(abs(power.numerator), power.denominator) <= _LARGEST_POWER:
-                return _evaluate(base, text) ** power
+            power, x = _evaluate(exponent, text).as_fraction(), _evaluate(base, text)
+            size = abs(power.numerator) * max(len(str(x)), 1) * 4
+            if size <= _LARGEST_SIZE and power.denominator <= LARGEST_EXPONENT:
+                return x**power
         case ast.BinOp(left, operation, right) if type(operation) in _OPERATIONS:
             result: Surd = _OPERATIONS[type(operation)](_evaluate(left, text), _evaluate(right, text))
             return result

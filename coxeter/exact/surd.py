@@ -296,8 +296,8 @@ class Surd:
         for e in (guess - 1, guess, guess + 1):  # the exponent is the least that leaves enough digits
             n = abs(self)._scaled_integer(Fraction(10) ** (digits - 1 - e))
             if n < 10**digits:
-                text = str(n)
-                return f"{'-' if self.sign() < 0 else ''}{text[0]}.{text[1:]}e{e:+03d}"
+                first, rest = str(flint.fmpz(n))[0], str(flint.fmpz(n))[1:]
+                return f"{'-' if self.sign() < 0 else ''}{first}{'.' + rest if rest else ''}e{e:+03d}"
         raise AssertionError("unreachable")
 
     # -- printing -------------------------------------------------------------------------------
@@ -315,6 +315,9 @@ class Surd:
 
     def _repr_latex_(self) -> str:
         return f"${self.latex()}$"
+
+    def _sympy_(self) -> sympy.Expr:
+        return self.sympy()  # what SymPy asks for when the two are mixed
 
     def sympy(self) -> sympy.Expr:
         """The number as a SymPy expression."""

@@ -9,7 +9,6 @@ import json
 import re
 from collections.abc import Callable
 from dataclasses import dataclass
-from fractions import Fraction
 
 from ..errors import InvalidInput
 from ..exact import Surd
@@ -108,8 +107,8 @@ def _writer(digits: int, exact: bool, latex: bool) -> Callable[[Cell], str]:
         if not isinstance(cell, Surd):
             return cell or ""
         if not exact:
-            lost = cell and abs(cell) < Fraction(1, 10**digits)
-            return cell.scientific(digits + 1) if lost else cell.decimal(digits)
+            decimal = cell.decimal(digits)
+            return cell.scientific(digits + 1) if cell and not decimal.strip("-0.") else decimal
         return f"${cell.latex()}$" if latex else str(cell)
 
     return write
@@ -137,7 +136,14 @@ def _as_latex(table: Table, body: list[list[str]]) -> str:
 
 
 def _tex(text: str) -> str:
-    return text if text.startswith("$") else text.replace("~", r"\textasciitilde{}").replace("_", r"\_")
+    """Text as LaTeX: names of types, and vectors with powers, are formulas."""
+    if text.startswith("$"):
+        return text
+    if name := re.fullmatch(r"([A-G])~(\d*)", text):
+        return rf"$\tilde{{{name[1]}}}_{{{name[2]}}}$" if name[2] else rf"$\tilde{{{name[1]}}}$"
+    if "^{" in text:
+        return "$" + re.sub(r"_(\w+)", r"_{\1}", text) + "$"
+    return text.replace("^(1/d)", "$^{1/d}$").replace("_", r"\_")
 
 
 def _as_csv(table: Table, body: list[list[str]]) -> str:
