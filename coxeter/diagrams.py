@@ -53,6 +53,8 @@ def cartan_matrix(graph: nx.Graph) -> np.ndarray:
 
 
 def _without_loops(graph: nx.Graph) -> None:
+    if graph.is_directed() or graph.is_multigraph():
+        raise InvalidInput("the graph is directed or has multiple edges: give a networkx.Graph")
     if any(graph.has_edge(v, v) for v in graph):
         raise InvalidInput("the graph has a loop: its form is defined for graphs without loops")
 
@@ -201,6 +203,7 @@ def classify(graph: nx.Graph) -> str | None:
     """
     import networkx as nx
 
+    _without_loops(graph)
     if not len(graph) or not nx.is_connected(graph):
         raise InvalidInput("the graph is empty or not connected: classify its components one by one")
     kind = definiteness(graph)

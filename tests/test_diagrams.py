@@ -245,6 +245,15 @@ def test_loops_are_refused(question):
         question(nx.Graph([(1, 2), (2, 2)]))
 
 
+@pytest.mark.parametrize(
+    "graph", [nx.DiGraph([(1, 2)]), nx.MultiGraph([(1, 2), (1, 2)])], ids=["directed", "multiple"]
+)
+@pytest.mark.parametrize("question", [cartan_matrix, bilinear_form, definiteness, classify])
+def test_directed_graphs_and_multiple_edges_are_refused(question, graph):
+    with pytest.raises(InvalidInput):
+        question(graph)
+
+
 # -- drawing ---------------------------------------------------------------------------------------
 
 DRAWINGS = {

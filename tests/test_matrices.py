@@ -1,5 +1,7 @@
 """Rational matrices against SymPy, with entries on both sides of the limits of int64."""
 
+import copy
+import pickle
 from fractions import Fraction
 
 import numpy as np
@@ -103,3 +105,13 @@ def test_a_denominator_is_positive(denominator):
 def test_rows_of_different_lengths_are_refused():
     with pytest.raises(InvalidInput, match=r"different lengths: \[1, 2\]"):
         RationalMatrix.from_rows([[1, 2], [3]])
+
+
+@pytest.mark.parametrize(
+    "sent", [copy.deepcopy, lambda x: pickle.loads(pickle.dumps(x))], ids=["copied", "pickled"]
+)
+def test_a_matrix_can_be_sent_elsewhere_after_it_was_used(sent):
+    matrix = RationalMatrix.from_rows([[2, "1/3"], [0, 2**70]])
+    inverse = matrix.inverse()
+    assert sent(matrix) == matrix
+    assert sent(matrix).inverse() == inverse

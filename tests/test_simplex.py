@@ -1,6 +1,8 @@
 """Any simplex: against the oracle, and under all that must not matter."""
 
+import copy
 import itertools
+import pickle
 from fractions import Fraction
 from math import factorial
 
@@ -310,6 +312,20 @@ def test_integer_arrays_are_read(dtype):
 def test_coordinates_of_all_kinds_are_read():
     mixed = [(0, Fraction(0)), ("1", sympy.Integer(0)), (np.int64(0), sqrt(1))]
     assert squares(Simplex(mixed)) == squares(Simplex(TRIANGLE))
+
+
+@pytest.mark.parametrize(
+    "points", [TRIANGLE, [(0, 0), ("sqrt(2)", 0), (0, "sqrt(2)")]], ids=["rational", "irrational"]
+)
+@pytest.mark.parametrize(
+    "sent", [copy.deepcopy, lambda x: pickle.loads(pickle.dumps(x))], ids=["copied", "pickled"]
+)
+def test_a_simplex_can_be_sent_elsewhere_after_it_was_used(points, sent):
+    simplex = Simplex(points)
+    used = (simplex.volume, simplex.gradient_gram, simplex.circumcentre)
+    image = sent(simplex)
+    assert (image.volume, image.gradient_gram, image.circumcentre) == used
+    assert image.vertices == simplex.vertices
 
 
 # -- refusals --------------------------------------------------------------------------------------

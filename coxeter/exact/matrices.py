@@ -11,6 +11,7 @@ from collections.abc import Iterable, Sequence
 from dataclasses import dataclass
 from fractions import Fraction
 from functools import cached_property
+from typing import Any
 
 import flint
 import numpy as np
@@ -80,6 +81,9 @@ class RationalMatrix:
         kept = kept.view()
         kept.setflags(write=False)  # what is computed once is shared by all who ask
         object.__setattr__(self, "numerators", kept)
+
+    def __reduce__(self) -> tuple[Any, ...]:
+        return RationalMatrix, (self.numerators, self.denominator)  # without FLINT's copy
 
     @classmethod
     def from_rows(cls, rows: Sequence[Sequence[object]]) -> RationalMatrix:
