@@ -164,6 +164,12 @@ def test_a_number_beside_another_is_not_equal_to_it():
     assert sqrt(2) > close
 
 
+def test_a_negative_number_is_not_the_root_of_its_square():
+    x = 1 + sqrt(2)
+    assert -x != (x * x).root(2) == x
+    assert -x < (x * x).root(2)
+
+
 def test_nothing_else_is_equal():
     assert Surd(1) != "1"
     assert Surd(1) != 1.0

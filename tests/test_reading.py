@@ -51,6 +51,7 @@ def test_sympy_numbers_are_read(a):
         (-sqrt(3) / 4, "-sqrt(3)/4", r"-\frac{\sqrt{3}}{4}"),
         (1 - 2 * sqrt(2) / 3, "1 - 2*sqrt(2)/3", r"1 - \frac{2\sqrt{2}}{3}"),
         (1 / (1 + sqrt(2)), "1/(1 + sqrt(2))", r"\frac{1}{1 + \sqrt{2}}"),
+        (1 / (1 - sqrt(2)), "-1/(-1 + sqrt(2))", r"\frac{-1}{-1 + \sqrt{2}}"),
         (Surd(2).root(3), "2**(1/3)", r"2^{1/3}"),
         (Surd("1/2").root(3), "(1/2)**(1/3)", r"\left(\frac{1}{2}\right)^{1/3}"),
         (sqrt(72), "6*sqrt(2)", r"6\sqrt{2}"),
