@@ -1,15 +1,21 @@
 """The command line as a user meets it: what it prints, and how it refuses."""
 
+import io
 import json
 import subprocess
 import sys
 
 import pytest
 import sympy
+from synthetic import BLIND, ENDLESS, GOOD, RAISES, ledger_of, make
 
-from coxeter import __version__, triangulation
+from coxeter import __version__, proofs, triangulation
 from coxeter.cli import main
+from coxeter.ledger import recorded, running
+from coxeter.ledger.claim import CLAIMS, holds
+from coxeter.ledger.vocabulary import EVERY_D
 from coxeter.names import triangulations_up_to
+from coxeter.proofs.proof import Proof, Step, argument
 
 SMALL = [kind.affine for kind in triangulations_up_to(5)]
 
@@ -162,3 +168,262 @@ def test_version(capsys):
         main(["--version"])
     assert stop.value.code == 0
     assert __version__ in capsys.readouterr().out
+
+
+# -- verify and explain, on a ledger made up for the tests -------------------------------------------------
+
+
+@pytest.fixture
+def good(tmp_path):
+    with ledger_of(tmp_path, *GOOD) as file:
+        yield file
+
+
+@pytest.mark.usefixtures("good")
+def test_verify_sums_up_and_ends_with_0_if_all_is_as_recorded(capsys):
+    status, out, err = run(capsys, "verify")
+    assert (status, err) == (0, "")
+    assert "5 claims in " in out
+    assert "6 of 6 mutants rejected, 100 %" in out
+    assert out.endswith("Everything came out as recorded.\n")
+    assert "thm-90.number" not in out
+
+
+@pytest.mark.usefixtures("good")
+def test_verify_says_of_few_claims_what_came_out_of_each(capsys):
+    status, out, _ = run(capsys, "verify", "thm-90", "--section", "3")
+    assert status == 0
+    assert "thm-90.number  holds, corrected · exact up to d = 8 · a result people use\n" in out
+    assert "thm-90.false   fails · instances · a result people use\n" in out
+    assert "def-90" not in out
+
+
+@pytest.mark.parametrize(
+    ("claim", "words"),
+    [
+        (BLIND, ["thm-91: differs", "expected: nothing on record; came out: holds · ", "n: 2"]),
+        (RAISES, ["thm-92: error", "error: ValueError: no idea", "(synthetic.py, line "]),
+        (ENDLESS, ["thm-94: timeout", "timeout: not done after 0.1 s"]),
+    ],
+)
+@pytest.mark.usefixtures("good")
+def test_verify_ends_with_1_and_names_what_is_not_as_recorded(capsys, monkeypatch, claim, words):
+    monkeypatch.setattr(running, "BUDGET", 0.1)
+    CLAIMS[claim.id] = claim
+    status, out, err = run(capsys, "verify")
+    assert (status, err) == (1, "")
+    assert "1 claim not as recorded:" in out
+    for text in words:
+        assert text in out
+    assert "Traceback" not in out
+    assert run(capsys, "verify", "thm-90")[0] == 0  # the others are as recorded
+
+
+def test_verify_names_expected_and_found(capsys, good):
+    text = good.read_text(encoding="utf-8")
+    good.write_text(text.replace("radius 1 at most", "radius 2 at most"), encoding="utf-8")
+    recorded._load.cache_clear()
+    status, out, _ = run(capsys, "verify", "thm-90")
+    assert status == 1
+    assert "thm-90.false: differs" in out
+    assert "correction: expected 'radius 2 at most', came out 'radius 1 at most'" in out
+
+
+@pytest.mark.usefixtures("good")
+@pytest.mark.parametrize("arguments", [("verify",), ("verify", "thm-9")])
+def test_verify_notices_a_record_without_a_claim(capsys, arguments):
+    del CLAIMS["thm-9"]
+    status, out, _ = run(capsys, *arguments)
+    assert status == 1
+    assert "thm-9: differs" in out
+    assert "expected: cited · literature · a result people use; there is no such claim" in out
+    assert run(capsys, "verify", "thm-90")[0] == 0
+
+
+def test_verify_names_survivors(capsys, tmp_path):
+    with ledger_of(tmp_path, BLIND):
+        status, out, _ = run(capsys, "verify")
+    assert status == 1
+    assert "0 of 3 mutants rejected, 0 %" in out
+    assert "thm-91: mutants survive" in out
+    assert "this mutant is not rejected: n: 2" in out
+
+
+ENTRIES = {
+    "id", "place", "statement", "verdict", "strength", "weight", "depends_on", "seconds", "mutants",
+    "witness", "correction", "outcome", "expected", "problems",
+}  # fmt: skip
+
+
+@pytest.mark.usefixtures("good")
+def test_verify_as_json(capsys):
+    CLAIMS["thm-92"] = RAISES
+    del CLAIMS["thm-9"]
+    status, out, err = run(capsys, "verify", "--json")
+    data = {entry["id"]: entry for entry in json.loads(out)}
+    assert (status, err) == (1, "")
+    assert list(data) == ["def-90", "thm-90.number", "thm-90.false", "lem-90", "thm-92", "thm-9"]
+    assert all(entry.keys() == ENTRIES for entry in data.values())
+    false = data["thm-90.false"]
+    assert isinstance(false.pop("seconds"), float)
+    assert false == {
+        "id": "thm-90.false",
+        "place": "Section 3, Theorem 90",
+        "statement": "Words.",
+        "verdict": "fails",
+        "strength": "instances",
+        "weight": "a result people use",
+        "depends_on": {"to_state": ["def-90"], "to_prove": ["lem-90"]},
+        "mutants": {"tried": 0, "rejected": 0},
+        "witness": "the triangle with radius 0",
+        "correction": "radius 1 at most",
+        "outcome": "as recorded",
+        "expected": {
+            "verdict": "fails",
+            "strength": "instances",
+            "weight": "a result people use",
+            "correction": "radius 1 at most",
+        },
+        "problems": [],
+    }
+    assert data["def-90"]["statement"] == "It is 60."
+    assert data["def-90"]["mutants"] == {"tried": 3, "rejected": 3}
+    error, lost = data["thm-92"], data["thm-9"]
+    assert (error["verdict"], error["strength"], error["outcome"]) == (None, None, "error")
+    assert (error["expected"], len(error["problems"])) == (None, 1)
+    assert (lost["verdict"], lost["outcome"], lost["expected"]["verdict"]) == (None, "differs", "cited")
+
+
+@pytest.mark.usefixtures("good")
+@pytest.mark.parametrize(
+    ("arguments", "hint"),
+    [
+        (("verify", "thm-90.numbers"), "did you mean thm-90.number"),
+        (("verify", "thm-90", "lem-9"), "did you mean lem-90"),
+        (("verify", "--section", "7"), "1 to 6, or A to D"),
+        (("verify", "--family", "H"), "A to G"),
+        (("verify", "thm-90", "--family", "B"), "leave out"),
+        (("verify", "--jobs", "0"), ">= 1"),
+        (("verify", "--jobs", "-2"), ">= 1"),
+        (("explain", "def-9"), "did you mean def-90"),
+    ],
+)
+def test_a_wrong_choice_of_claims_is_one_sentence_and_status_2(capsys, arguments, hint):
+    status, out, err = run(capsys, *arguments)
+    assert (status, out) == (2, "")
+    assert err.startswith("coxeter: ")
+    assert err.count("\n") == 1
+    assert hint in err
+
+
+@pytest.mark.parametrize("arguments", [("verify", "--jobs", "many"), ("verify", "--fast"), ("explain",)])
+def test_wrong_usage_of_verify_and_explain_is_one_line_and_status_2(capsys, arguments):
+    with pytest.raises(SystemExit) as stop:
+        main(arguments)
+    assert stop.value.code == 2
+    assert capsys.readouterr().err.count("\n") == 1
+
+
+@pytest.mark.parametrize("arguments", [("verify",), ("explain", "def-90")])
+def test_a_damaged_record_is_named_with_its_line(capsys, good, arguments):
+    lines = good.read_text(encoding="utf-8").split("\n")
+    lines[3] = lines[3][:-5]
+    good.write_text("\n".join(lines), encoding="utf-8")
+    recorded._load.cache_clear()
+    status, out, err = run(capsys, *arguments)
+    assert (status, out) == (2, "")
+    assert "recorded.json, line 4" in err
+
+
+@pytest.mark.usefixtures("good")
+def test_progress_is_shown_on_a_terminal_only(monkeypatch, capsys):
+    class Terminal(io.StringIO):
+        def isatty(self):
+            return True
+
+    assert run(capsys, "verify")[2] == ""
+    monkeypatch.setattr(sys, "stderr", Terminal())
+    assert main(["verify"]) == 0
+    shown = sys.stderr.getvalue()
+    assert "0 of 5 claims" in shown
+    assert "5 of 5 claims" in shown
+    assert "\n" not in shown
+    assert shown.endswith("\r\x1b[K")
+
+
+@pytest.mark.usefixtures("good")
+@pytest.mark.parametrize("columns", ["80", "100", "300"])
+def test_explain_tells_all_and_is_readable(capsys, monkeypatch, columns):
+    monkeypatch.setenv("COLUMNS", columns)
+    long = make("thm-95", lambda _: holds(EVERY_D, "A long line. " * 20), words="Many words. " * 20)
+    CLAIMS["thm-95"] = long
+    status, out, err = run(capsys, "explain", "thm-90", "lem-90", "thm-95")
+    assert (status, err) == (0, "")
+    assert max(map(len, out.splitlines())) <= min(int(columns), 100)
+    for text in (
+        "thm-90.false · Section 3, Theorem 90\n====",
+        "Statement\n  Words.\n",
+        "Printed\n  number: 4\n",
+        "Verdict\n  fails · instances · a result people use\n",
+        "Instead\n  radius 1 at most\n",
+        "Correction\n  number: printed 4, true 3\n",
+        "Witness\n  the triangle with radius 0\n",
+        "Derivation\n  1. One.\n  2. Two.\n",
+        "Our proof\n  ours uses the other side\n",
+        "Mutants\n  3 of 3 mutants rejected, 100 %\n",
+        "Needs to be stated\n  def-90\n",
+        "Needs to be proved\n  lem-90\n",
+        "Needed to prove\n  thm-90.false\n",
+        "Code\n  coxeter.ledger.section_3.false",
+        "It is not on record.",
+    ):
+        assert text in out
+
+
+def test_explain_shows_a_proof_step_by_step(capsys, tmp_path, monkeypatch):
+    step = Step("identity", "The sums agree", "x = y", "d \\geq 2", "x - y = 0")
+    proof = Proof("All sums agree", (step, argument("So do the others")))
+    monkeypatch.setattr(proofs, "prove", lambda *_: proof)
+    finding = holds(EVERY_D, proof=("sums", "B"))
+    with ledger_of(tmp_path, make("thm-96", lambda _: finding)):
+        out = run(capsys, "explain", "thm-96")[1]
+        (data,) = json.loads(run(capsys, "explain", "thm-96", "--json")[1])
+    assert "Proof\n  1. The sums agree\n     x = y,  d \\geq 2\n     x - y = 0\n  2. So do" in out
+    assert data["proof"] == [
+        {
+            "kind": "identity",
+            "words": "The sums agree",
+            "formula": "x = y",
+            "range": "d \\geq 2",
+            "reduced": "x - y = 0",
+        },
+        {"kind": "argument", "words": "So do the others"},
+    ]
+
+
+@pytest.mark.usefixtures("good")
+def test_explain_as_json(capsys):
+    CLAIMS["thm-92"] = RAISES
+    status, out, _ = run(capsys, "explain", "lem-90", "thm-92", "--json")
+    lemma, error = json.loads(out)
+    assert status == 0
+    assert lemma.keys() == ENTRIES | {
+        "printed", "evidence", "tested", "derivation", "proof", "needed_by", "code",
+    }  # fmt: skip
+    assert lemma["needed_by"] == {"to_state": [], "to_prove": ["thm-90.false"]}
+    assert lemma["derivation"] == ["One.", "Two."]
+    assert error["outcome"] == "error"
+
+
+@pytest.mark.usefixtures("good")
+def test_explain_shows_an_error_as_such(capsys):
+    CLAIMS["thm-92"] = RAISES
+    status, out, err = run(capsys, "explain", "thm-92")
+    assert (status, err) == (0, "")
+    assert "Verdict\n  error: ValueError: no idea" in out
+
+
+def test_the_command_starts_without_the_heavy_libraries():
+    program = "import sys, coxeter.cli; print({'sympy', 'matplotlib', 'networkx'} & set(sys.modules))"
+    done = subprocess.run([sys.executable, "-c", program], capture_output=True, text=True, check=True)
+    assert done.stdout == "set()\n"

@@ -235,7 +235,7 @@ def _compare_triangle(paper: Paper, point: PrintedPoint) -> Comparison:
     """G~2: the printed triangle is similar to the core's, with its vertices in some order."""
     corners = [coordinates(p.runs, 2, 0) for p in paper.points if p.place == point.place and p.family == "G2"]
     exact = simplex_of("G2", 2).squared_edge_lengths
-    order, scale = _similarity([c for c in corners if c is not None], exact)
+    order, scale = similarity([c for c in corners if c is not None], exact)
     note = "the three printed points are not similar to the triangle of the roots"
     if order:
         named = ", ".join(f"u_{i} is the core's u_{j}" for i, j in enumerate(order))
@@ -252,7 +252,7 @@ def _compare_triangle(paper: Paper, point: PrintedPoint) -> Comparison:
     )
 
 
-def _similarity(corners: list[Point], exact: RationalMatrix) -> tuple[tuple[int, ...], Surd | None]:
+def similarity(corners: list[Point], exact: RationalMatrix) -> tuple[tuple[int, ...], Surd | None]:
     """The order of the core's vertices, and the factor of squared lengths, that make triangles similar."""
     pairs = ((0, 1), (0, 2), (1, 2))
     if len(corners) != 3 or len({len(c) for c in corners}) != 1:

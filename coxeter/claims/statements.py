@@ -40,7 +40,7 @@ def compare_statements(paper: Paper, wanted: Callable[[PrintedStatement], bool])
 def compare_statement(paper: Paper, s: PrintedStatement) -> Comparison:
     """One printed statement."""
     ds = tuple(d for d in dimensions(s.family) if d >= s.low)
-    findings = {d: _KINDS[s.kind](s, d) for d in ds}
+    findings = {d: KINDS[s.kind](s, d) for d in ds}
     fails = tuple(d for d in ds if not findings[d].holds)
     first = fails[0] if fails else ds[0]
     outcome, evidence = Outcome.AGREES, ""
@@ -128,7 +128,10 @@ def _evidence_on_combination(s: PrintedStatement) -> str:
 
 
 def _number(text: str, d: int) -> int:
-    return numbers(text, text, d)[0]
+    (number,) = numbers(text, text, d)
+    if not 0 <= number <= d:
+        raise InvalidInput(f"there is no node {number} for d = {d}: give 0 to {d}")
+    return number
 
 
 def _facet_at(family: str, index: int, d: int) -> Facet:
@@ -230,7 +233,7 @@ def _no_vertex(s: PrintedStatement, d: int) -> Finding:
     return Finding(not vertex, None, words)
 
 
-_KINDS: dict[str, Callable[[PrintedStatement, int], Finding]] = {
+KINDS: dict[str, Callable[[PrintedStatement, int], Finding]] = {
     "facet": _facet,
     "distance": _distance,
     "minimal": _minimal,

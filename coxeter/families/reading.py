@@ -26,7 +26,7 @@ _OPERATORS: dict[type[ast.operator], Callable[[Any, Any], Any]] = {
 
 
 @dataclass(frozen=True)
-class _Domain:
+class Domain:
     """What numbers, letters, powers and functions in a formula are to mean."""
 
     number: Callable[[int], Any]
@@ -49,7 +49,7 @@ def _power(base: Exact, exponent: Exact) -> Exact:
     return Fraction(base) ** int(e)
 
 
-_EXACT = _Domain(  # fractions as long as there is no root: they are faster than surds
+_EXACT = Domain(  # fractions as long as there is no root: they are faster than surds
     number=Fraction,
     letter=_letter,
     power=_power,
@@ -70,7 +70,7 @@ def evaluate(text: str, **values: Exact) -> Surd:
     >>> evaluate("sqrt(d + 1)/2", d=3), evaluate("2**(1/2 + 1/d)", d=4)
     (1, 8**(1/4))
     """
-    return surd(_read(text, _EXACT, values))
+    return surd(read(text, _EXACT, values))
 
 
 def expression(text: str) -> sympy.Expr:
@@ -81,29 +81,31 @@ def expression(text: str) -> sympy.Expr:
     """
     import sympy
 
-    symbols = {name: sympy.Symbol(name, integer=True, positive=True) for name in "dijk"}
+    symbols = {name: sympy.Symbol(name, integer=True, positive=True) for name in "dijkmt"}
     functions = {"sqrt": sympy.sqrt, "factorial": sympy.factorial}
-    return _read(text, _Domain(sympy.Integer, lambda x: x, operator.pow, functions), symbols)
+    return read(text, Domain(sympy.Integer, lambda x: x, operator.pow, functions), symbols)
 
 
-def _read(text: str, domain: _Domain, names: Mapping[str, Any]) -> Any:
-    def read(node: ast.expr) -> Any:
+def read(text: str, domain: Domain, names: Mapping[str, Any]) -> Any:
+    """Read a formula in a domain, with what its letters stand for."""
+
+    def visit(node: ast.expr) -> Any:
         match node:
             case ast.Constant(value=n) if type(n) is int:
                 return domain.number(n)
             case ast.Name(id=name) if name in names:
                 return domain.letter(names[name])
             case ast.UnaryOp(op=ast.USub(), operand=x):
-                return -read(x)
+                return -visit(x)
             case ast.BinOp(left=x, op=ast.Pow(), right=y):
-                return domain.power(read(x), read(y))
+                return domain.power(visit(x), visit(y))
             case ast.BinOp(left=x, op=op, right=y) if type(op) in _OPERATORS:
-                return _OPERATORS[type(op)](read(x), read(y))
+                return _OPERATORS[type(op)](visit(x), visit(y))
             case ast.Call(func=ast.Name(id=name), args=[x], keywords=[]) if name in domain.functions:
-                return domain.functions[name](read(x))
+                return domain.functions[name](visit(x))
         raise InvalidInput(f"{ast.unparse(node)!r} in the formula {text!r} cannot be read: {_ALLOWED}")
 
-    return read(_parse(text))
+    return visit(_parse(text))
 
 
 _ALLOWED = "use integers, the formula's own letters, + - * / **, sqrt() and factorial()"

@@ -8,7 +8,8 @@ stands in the wrong column. The data lie in JSON files beside this module, one r
   appendices. A formula's letters are d, the indices j and k, and h, L, r, R, vol for the lengths;
 * ``points.json`` — vertices and centres, as runs of equal coordinates: ``[["1/2", "k"], ["0", "d - k"]]``.
   In a coordinate that changes along its run, i is the number of the coordinate, counted from 1;
-* ``statements.json`` — facets, and sentences that name a vertex, a facet or an edge.
+* ``statements.json`` — facets, and sentences that name a vertex, a facet or an edge;
+* ``prose/*.json`` — for each claim of the ledger that has any, the constants that are printed in it.
 
 >>> print(printed().rows[1].label, printed().rows[1].cells)
 \\tilde{A}_{d} ('1.000', '0.949', '0.894', '0.845', '0.802', '0.764', '0.730')
@@ -16,10 +17,12 @@ stands in the wrong column. The data lie in JSON files beside this module, one r
 
 from __future__ import annotations
 
+from collections.abc import Mapping
 from functools import lru_cache
 from pathlib import Path
+from typing import Any
 
-from .loading import check_tables, read
+from .loading import check_tables, read, read_prose
 from .records import (
     DamagedData,
     Paper,
@@ -39,7 +42,9 @@ __all__ = [
     "PrintedStatement",
     "Runs",
     "load",
+    "load_prose",
     "printed",
+    "prose",
 ]
 
 
@@ -65,3 +70,14 @@ def load(directory: Path) -> Paper:
         read(directory / "points.json", PrintedPoint),
         read(directory / "statements.json", PrintedStatement),
     )
+
+
+@lru_cache(maxsize=1)
+def prose() -> Mapping[str, Mapping[str, Any]]:
+    """The constants in the paper's sentences, by the id of the claim that is made with them."""
+    return load_prose(Path(__file__).parent / "prose")
+
+
+def load_prose(directory: Path) -> Mapping[str, Mapping[str, Any]]:
+    """Read the constants of sentences; raises `DamagedData`, which names the file and the line."""
+    return read_prose(sorted(directory.glob("*.json")))

@@ -4,24 +4,56 @@ from __future__ import annotations
 
 import ast
 import json
-from collections.abc import Callable, Iterator, Sequence
+from collections.abc import Callable, Iterable, Iterator, Sequence
 from dataclasses import MISSING, fields
 from pathlib import Path
-from typing import Any, TypeVar
+from typing import TYPE_CHECKING, Any, TypeVar
 
 from ..names import FAMILIES
-from .records import DamagedData, PrintedFormula, PrintedPoint, PrintedRow, PrintedStatement, Runs
+from .records import DamagedData, PrintedFormula, PrintedRow, Runs
 
-_T = TypeVar("_T", PrintedRow, PrintedFormula, PrintedPoint, PrintedStatement)
+if TYPE_CHECKING:
+    from _typeshed import DataclassInstance
+
+_T = TypeVar("_T", bound="DataclassInstance")
 
 
-def _damaged(file: Path, line: int, what: str) -> DamagedData:
+def damaged(file: Path, line: int, what: str) -> DamagedData:
+    """The error for a damaged file: where it is damaged, how, and what to do."""
     return DamagedData(f"{file.name}, line {line}: {what}; restore the file from the repository")
 
 
 def read(file: Path, kind: type[_T]) -> tuple[_T, ...]:
-    """The records of a file, each with the number of its line."""
+    """The records of a file; `kind` is a dataclass with their entries, and `line` for the line's number."""
     return tuple(_build(file, line, record, kind) for line, record in _records(file))
+
+
+def read_prose(files: Iterable[Path]) -> dict[str, dict[str, Any]]:
+    """The constants of claims by the claim's id: integers, texts, and lists of these as tuples."""
+    found: dict[str, dict[str, Any]] = {}
+    where: dict[str, str] = {}
+    for file in files:
+        for line, record in _records(file):
+            name = record.pop("id", None)
+            if not isinstance(name, str) or not record:
+                raise damaged(file, line, "a record needs the entry 'id' and at least one constant")
+            if name in found:
+                raise damaged(file, line, f"a second record {name!r}, beside that in {where[name]}")
+            try:
+                found[name] = {key: _constant(value) for key, value in record.items()}
+            except TypeError:
+                what = f"{name!r} has a constant that is no number, text or list"
+                raise damaged(file, line, what) from None
+            where[name] = f"{file.name}, line {line}"
+    return found
+
+
+def _constant(value: Any) -> Any:
+    if isinstance(value, list):
+        return tuple(map(_constant, value))
+    if not isinstance(value, str | int):
+        raise TypeError
+    return value
 
 
 def _records(file: Path) -> Iterator[tuple[int, dict[str, Any]]]:
@@ -30,31 +62,31 @@ def _records(file: Path) -> Iterator[tuple[int, dict[str, Any]]]:
         text = data.decode("utf-8")
         json.loads(text)
     except OSError as error:
-        raise _damaged(file, 1, f"cannot be read ({error.strerror})") from None
+        raise damaged(file, 1, f"cannot be read ({error.strerror})") from None
     except UnicodeDecodeError as error:
-        raise _damaged(file, data[: error.start].count(b"\n") + 1, "not UTF-8 text") from None
+        raise damaged(file, data[: error.start].count(b"\n") + 1, "not UTF-8 text") from None
     except json.JSONDecodeError as error:
-        raise _damaged(file, error.lineno, error.msg) from None
+        raise damaged(file, error.lineno, error.msg) from None
     lines = text.rstrip("\n").split("\n")
     if lines[0] != "[" or lines[-1] != "]":
-        raise _damaged(file, 1, "not a list with one record to a line")
+        raise damaged(file, 1, "not a list with one record to a line")
     for number, line in enumerate(lines[1:-1], 2):
         try:
             record = json.loads(line.removesuffix(","))
         except json.JSONDecodeError:
-            raise _damaged(file, number, "not one record to a line") from None
+            raise damaged(file, number, "not one record to a line") from None
         if not isinstance(record, dict):
-            raise _damaged(file, number, "not a record")
+            raise damaged(file, number, "not a record")
         yield number, record
 
 
 def _build(file: Path, line: int, record: dict[str, Any], kind: type[_T]) -> _T:
     known = {field.name: field for field in fields(kind) if field.name != "line"}
     if unknown := set(record) - set(known):
-        raise _damaged(file, line, f"unknown entry {min(unknown)!r}")
+        raise damaged(file, line, f"unknown entry {min(unknown)!r}")
     missing = [name for name, field in known.items() if field.default is MISSING and name not in record]
     if missing:
-        raise _damaged(file, line, f"the entry {missing[0]!r} is missing")
+        raise damaged(file, line, f"the entry {missing[0]!r} is missing")
     decimal = kind is PrintedFormula and record.get("decimal") is True
     values: dict[str, Any] = {}
     for name, value in record.items():
@@ -62,8 +94,8 @@ def _build(file: Path, line: int, record: dict[str, Any], kind: type[_T]) -> _T:
         try:
             values[name] = check(value)
         except (TypeError, ValueError, SyntaxError):
-            raise _damaged(file, line, f"{value!r} cannot be the entry {name!r}") from None
-    return kind(**values, line=line)
+            raise damaged(file, line, f"{value!r} cannot be the entry {name!r}") from None
+    return kind(**values | {"line": line})
 
 
 def _text(value: Any) -> str:
@@ -155,9 +187,9 @@ def check_tables(file: Path, rows: tuple[PrintedRow, ...]) -> None:
     expected = [(table, letter) for table in (3, 4, 5, 6) for letter in ("", *"ABCDEFG")]
     for position, row in enumerate(rows):
         if position >= len(expected) or (row.table, row.letter) != expected[position]:
-            raise _damaged(file, row.line, f"row {row.letter!r} of Table {row.table} is out of place")
+            raise damaged(file, row.line, f"row {row.letter!r} of Table {row.table} is out of place")
         if len(row.cells) != 7:
-            raise _damaged(file, row.line, f"{len(row.cells)} cells in place of 7")
+            raise damaged(file, row.line, f"{len(row.cells)} cells in place of 7")
     if len(rows) < len(expected):
         table, letter = expected[len(rows)]
-        raise _damaged(file, rows[-1].line if rows else 1, f"row {letter!r} of Table {table} is missing")
+        raise damaged(file, rows[-1].line if rows else 1, f"row {letter!r} of Table {table} is missing")

@@ -1,0 +1,55 @@
+"""The command line: ``coxeter list``, ``info``, ``simplex``, ``table``, ``verify`` and ``explain``.
+
+Bad input ends with one sentence on the standard error and exit status 2.
+"""
+
+from __future__ import annotations
+
+import argparse
+import os
+import re
+import sys
+from collections.abc import Sequence
+from typing import NoReturn
+
+from .. import __version__
+from ..errors import CoxeterError
+from . import ledger, triangulations
+
+
+class _Parser(argparse.ArgumentParser):
+    def error(self, message: str) -> NoReturn:
+        self.exit(2, f"coxeter: {message}; see '{self.prog} --help'\n")
+
+
+def _parser() -> argparse.ArgumentParser:
+    parser = _Parser(prog="coxeter", description="Coxeter triangulations, computed exactly.")
+    parser.add_argument("--version", action="version", version=f"coxeter-triangulations {__version__}")
+    commands = parser.add_subparsers(dest="command", required=True, metavar="COMMAND")
+    triangulations.add_commands(commands)
+    ledger.add_commands(commands)
+    return parser
+
+
+def main(arguments: Sequence[str] | None = None) -> int:
+    """Run one command; returns the exit status."""
+    given = list(sys.argv[1:] if arguments is None else arguments)
+    if given[:1] == ["simplex"]:  # a vertex may start with a minus sign; it is no option
+        given = [f" {x}" if re.match(r"-[^-h]", x) else x for x in given]
+    try:
+        options = _parser().parse_args(given)
+        answer = options.run(options)
+        print(answer.text, flush=True)
+    except CoxeterError as error:
+        print(f"coxeter: {error}", file=sys.stderr)
+        return 2
+    except KeyboardInterrupt:
+        print("coxeter: stopped", file=sys.stderr)
+        return 130
+    except MemoryError:
+        print("coxeter: there is not enough memory for this dimension; try a smaller one", file=sys.stderr)
+        return 2
+    except BrokenPipeError:  # the reader, such as `head`, has seen enough
+        os.dup2(os.open(os.devnull, os.O_WRONLY), sys.stdout.fileno())
+        return 0
+    return int(answer.status)

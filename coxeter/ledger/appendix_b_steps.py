@@ -1,0 +1,114 @@
+"""What the steps of both proofs share: findings, and the pairs on which they are tried."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterable
+from fractions import Fraction
+from functools import lru_cache
+
+from ..simplex import Position
+from .claim import Constants, Finding, agree, conjecture, fails, holds
+from .section_4_basics import POWER
+from .section_4_geometry import Pair, Point, any_pairs, boundary_pairs, inner, minus, separated_pairs
+from .vocabulary import EVERY_D, INSTANCES
+
+Pairs = Callable[[], tuple[Pair, ...]]
+
+
+def step(hypotheses: Pairs, true: Callable[[Pair], bool], *proof: str) -> Finding:
+    """The step holds for every d by its proof; it is tried on the pairs, of which there must be some."""
+    pairs = hypotheses()
+    if not pairs:
+        return conjecture("no verdict: no pair satisfies the hypotheses", INSTANCES)
+    for pair in pairs:
+        if not true(pair):
+            return fails(INSTANCES, f"the pair {show(pair)}", "nothing")
+    return holds(EVERY_D, *proof, tried(pairs))
+
+
+def step_with(
+    printed: Constants, name: str, hypotheses: Pairs, value: Callable[[Pair], int], *proof: str
+) -> Finding:
+    """The same for a step with a constant, which must have the same value for all pairs."""
+    values = _values(hypotheses, value)
+    if len(values) != 1:
+        return conjecture(f"no verdict: the {name} has {len(values)} values", INSTANCES)
+    return agree(printed, {name: min(values)}, EVERY_D, *proof, tried(hypotheses()))
+
+
+@lru_cache(maxsize=32)
+def _values(hypotheses: Pairs, value: Callable[[Pair], int]) -> frozenset[int]:
+    return frozenset(map(value, hypotheses()))
+
+
+def tried(pairs: tuple[Pair, ...]) -> str:
+    """On how many pairs a step was tried."""
+    dimensions = sorted({len(pair.apex) for pair in pairs})
+    return f"Tried on {len(pairs)} pairs of simplices, of dimension {dimensions[0]} to {dimensions[-1]}."
+
+
+def show(pair: Pair) -> str:
+    """The vertices of a pair."""
+    facet = ", ".join(map(show_point, pair.facet))
+    return f"facet {facet}, apexes {show_point(pair.apex)} and {show_point(pair.other)}"
+
+
+def show_point(x: Point) -> str:
+    """A point as text."""
+    return f"({', '.join(map(str, x))})"
+
+
+# -- the hypotheses of the steps --------------------------------------------------------------------------
+
+
+@lru_cache(maxsize=1)
+def every_pair() -> tuple[Pair, ...]:
+    """All pairs, those that share their sphere included."""
+    return (*any_pairs(), *separated_pairs(), *boundary_pairs())
+
+
+@lru_cache(maxsize=1)
+def separated() -> tuple[Pair, ...]:
+    """Pairs whose facet separates c from σ, strictly."""
+    own = (pair for pair in any_pairs() if pair.levels[0] > 0)
+    return (*separated_pairs(), *own)
+
+
+@lru_cache(maxsize=1)
+def different_spheres() -> tuple[Pair, ...]:
+    """Pairs of dimension at least 2 with different centres."""
+    return tuple(p for p in every_pair() if not p.share_sphere and len(p.apex) > 1)
+
+
+@lru_cache(maxsize=1)
+def in_the_proof() -> tuple[Pair, ...]:
+    """Separated pairs with different centres and no vertex of either inside the other's sphere."""
+    return tuple(p for p in separated() if not p.share_sphere and p.other_sphere.power(p.apex) >= 0)
+
+
+@lru_cache(maxsize=1)
+def on_the_boundary() -> tuple[Pair, ...]:
+    """Pairs whose facet contains c: in its interior, or on a smaller face."""
+    return tuple(p for p in boundary_pairs() if p.centre_position is Position.BOUNDARY)
+
+
+def points_of_sphere(pair: Pair) -> Iterable[Point]:
+    """Points of S off the hyperplane of the facet: p, two antipodes, and the second hits of lines."""
+    centre, q = pair.sphere.centre, pair.facet[0]
+    antipodes = [tuple(2 * c - x for c, x in zip(centre, v, strict=True)) for v in (q, pair.apex)]
+    hits = [_second_hit(pair, v, minus(pair.other, v)) for v in (q, pair.facet[-1])]
+    return [x for x in (pair.apex, *antipodes, *hits) if pair.level(x)]
+
+
+def _second_hit(pair: Pair, v: Point, direction: Point) -> Point:
+    """Where the line from a point of S in a direction meets S again."""
+    t = -2 * inner(minus(v, pair.sphere.centre), direction) / inner(direction, direction)
+    return tuple(x + t * y for x, y in zip(v, direction, strict=True))
+
+
+def sign(x: Fraction) -> int:
+    """The sign of a number."""
+    return (x > 0) - (x < 0)
+
+
+IDENTITY = POWER

@@ -1,0 +1,169 @@
+"""The longest edges and the volumes of A~, B~, C~, D~ for every d. Paper: Section 6, items 5 and 7."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from math import prod
+
+from ..exact import Exact, Surd
+from ..families import closed_form
+from ..symbolic.cases import case
+from ..symbolic.runs import squared_distance
+from .classical import FAMILIES, Classical, Pair, vertex
+from .proof import Core, Proof, Refuted, Step, argument, formulas, identity, inequality, join, tested
+from .simplices import form, node, the_simplex, the_triangulation
+
+# -- longest edge (item 5) ----------------------------------------------------------------------------
+
+
+def longest_edge(letter: str, claimed: tuple[tuple[str, int, str], ...] | None = None) -> Proof:
+    """No edge is longer than L, and one is as long.
+
+    `claimed` has (formula, first d, parity) for each piece of the closed form.
+    """
+    family = FAMILIES[letter]
+    pieces = claimed or tuple(
+        (p.text, p.low, p.parity or "") for p in closed_form(letter, "longest_edge").pieces if p.high is None
+    )
+    steps: list[Step] = []
+    for text, low, parity in pieces:
+        steps += _longest_a(text, parity) if letter == "A" else _longest(family, text, low)
+    if letter == "B" and claimed is None:
+        steps.append(_longest_b3())
+    return join(rf"the longest edge of $\tilde{{{letter}}}_d$ has length $L$", steps)
+
+
+def _longest(family: Classical, text: str, low: int) -> Iterator[Step]:
+    """B~, C~, D~: every edge against d/4, from the first d in which that is the maximum."""
+    for pair in family.pairs():
+        if pair.same or pair.range.text.endswith("k < j <= " + pair.first.high):
+            continue
+        if family.nodes.index(pair.first) > family.nodes.index(pair.second):
+            continue
+        yield _no_longer(family, pair, low)
+    last = family.nodes[-1]
+    whole = case(f"{low} <= d", low)
+    distance = squared_distance(vertex(family.nodes[0]), vertex(last), whole)
+
+    def core(d: int) -> Exact:
+        return the_simplex(family.letter, d).squared_edge_lengths[0, d]
+
+    yield identity("the edge from $u_0$ to $u_d$", r"\|u_d - u_0\|^2", distance, "d/4", whole, core)
+    yield formulas("so the longest edge", "L", "sqrt(d/4)", text, low,
+                   core=lambda d: the_simplex(family.letter, d).longest_edge)  # fmt: skip
+
+
+def _no_longer(family: Classical, pair: Pair, low: int) -> Step:
+    range_ = pair.range
+    if not range_.nonnegative(f"d - {low}"):  # an exceptional first d: cut it off
+        range_ = case(range_.text.replace(f"{family.first} <= d", f"{low} <= d"), low)
+    value = range_("d/4") - squared_distance(*pair.vertices(), range_)
+
+    def core(**letters: int) -> Exact:
+        squares = the_simplex(family.letter, letters["d"]).squared_edge_lengths
+        j, k = node(pair.j, **letters), node(pair.k, **letters)
+        return (squares[0, letters["d"]] - squares[j, k]) if letters["d"] >= low else Surd(0)
+
+    return inequality(
+        f"the edge from $u_{{{pair.j}}}$ to $u_{{{pair.k}}}$ is no longer",
+        rf"\tfrac d4 - \|u_{{{pair.j}}} - u_{{{pair.k}}}\|^2", value, range_, core=core,
+    )  # fmt: skip
+
+
+def _longest_b3() -> Step:
+    def test(_: int) -> int:
+        return int(the_simplex("B", 3).longest_edge == 1)
+
+    if not test(3):
+        raise Refuted("the longest edge of B~3 is not 1")
+    return tested("in dimension 3 the edge from $u_0$ to $u_1$ is the longest", "L = 1", "d = 3", test)
+
+
+def _longest_a(text: str, parity: str) -> Iterator[Step]:
+    """A~: the squared edge is t(d + 1 - t)/(d + 1) with t = k - j, largest for t nearest to (d + 1)/2."""
+    family = FAMILIES["A"]
+    edge = "(k - j)*(d + 1 - k + j)/(d + 1)"
+    inside = case("1 <= j < k <= d", 2)
+    nodes = family.nodes[1]
+    pair = Pair("j", "k", nodes, nodes, inside)
+
+    def core(**letters: int) -> Exact:
+        return the_simplex("A", letters["d"]).squared_edge_lengths[letters.get("j", 0), letters["k"]]
+
+    yield identity(
+        "an edge", r"\|u_k - u_j\|^2", squared_distance(*pair.vertices(), inside), edge, inside, core
+    )
+    outer = case("1 <= k <= d", 2)
+    zero = squared_distance(vertex(family.nodes[0]), vertex(nodes), outer)
+    yield identity("an edge at $u_0$", r"\|u_k - u_0\|^2", zero, "k*(d + 1 - k)/(d + 1)", outer, core)
+    square = "(d + 1)/4" if parity == "odd" else "d*(d + 2)/(4*(d + 1))"
+    d = "2*m + 1" if parity == "odd" else "2*m"
+    middle = "m + 1" if parity == "odd" else "m"
+    below, above = case("1 <= k <= m", d=d), case("1 <= m < k", d=d)
+    for range_, words in ((below, "up to the middle"), (above, "beyond the middle")):
+        yield inequality(
+            f"with $t = k - j$ written as $k$, {words}",
+            r"L^2 - \frac{t(d+1-t)}{d+1}", f"{square} - k*(d + 1 - k)/(d + 1)", range_,
+        )  # fmt: skip
+    yield identity(
+        "and the middle edge is as long", rf"\|u_{{{middle}}} - u_0\|^2",
+        f"({middle})*(d + 1 - ({middle}))/(d + 1)".replace("m", "(d - 1)/2" if parity == "odd" else "d/2"),
+        square, case("2 <= d", 2),
+    )  # fmt: skip
+    yield formulas("so the longest edge", "L", f"sqrt({square})", text, 3 if parity == "odd" else 2, parity,
+                   core=lambda d: the_simplex("A", d).longest_edge)  # fmt: skip
+
+
+# -- volume (item 7) ----------------------------------------------------------------------------------
+
+
+def volume(letter: str, claimed: str | None = None) -> Proof:
+    """The volume 1/(d! · Π m_k · √det), the determinant by recurrence along the diagram."""
+    family = FAMILIES[letter]
+    claimed = claimed or form(letter, "volume")
+    determinant = {"A": "d + 1", "B": "1", "C": "4", "D": "4"}[letter]
+    marks = {"A": "1", "B": "2**(d - 1)", "C": "2**(d - 1)", "D": "2**(d - 3)"}[letter]
+    return join(
+        rf"the volume of the simplex of $\tilde{{{letter}}}_d$, for every $d \geq {family.first}$",
+        determinants(letter),
+        argument(
+            "The vertices are the fundamental coweights over the marks, and the coweights are dual to the "
+            r"simple roots, so $\operatorname{vol} = \frac{1}{d!\,\prod m_k\sqrt{\det G}}$"
+        ),
+        formulas("the product of the marks", r"\prod m_k", marks, marks, family.first,
+                 core=lambda d: Surd(prod(the_triangulation(letter, d).marks))),
+        formulas("the volume", r"\operatorname{vol}", f"1/(factorial(d)*({marks})*sqrt({determinant}))",
+                 claimed, family.first, core=lambda d: the_simplex(letter, d).volume),
+    )  # fmt: skip
+
+
+def determinants(letter: str) -> Iterator[Step]:
+    """The determinant of the Gram matrix of the simple roots, by expansion at the end of the diagram."""
+
+    def core(kind: str) -> Core:
+        return lambda d: the_triangulation(kind, d).roots.gram_determinant
+
+    yield identity(
+        "a path of $n$ roots of squared length 2, expanded at its end: $D_n = 2D_{n-1} - D_{n-2}$, "
+        "$D_0 = 1$, $D_1 = 2$; so $D_n = n + 1$ by induction",
+        "D_d = 2D_{d-1} - D_{d-2}", "2*d - (d - 1)", "d + 1", case("2 <= d", 2), core("A"),
+    )  # fmt: skip
+    if letter in _ENDS:
+        words, name, value, determinant, low = _ENDS[letter]
+        yield identity(words, name, value, determinant, case(f"{low} <= d", low), core(letter))
+
+
+_ENDS = {
+    "B": (
+        r"the short root at the end: $\|s_d\|^2 = 1$, $\langle s_{d-1}, s_d\rangle = -1$",
+        r"\det G = D_{d-1} - D_{d-2}", "d - (d - 1)", "1", 3,
+    ),
+    "C": (
+        r"the long root at the end: $\|s_d\|^2 = 4$, $\langle s_{d-1}, s_d\rangle = -2$",
+        r"\det G = 4D_{d-1} - 4D_{d-2}", "4*d - 4*(d - 1)", "4", 2,
+    ),
+    "D": (
+        "the fork: $s_d$ is joined to $s_{d-2}$; without both there remain a path and $s_{d-1}$",
+        r"\det G = 2D_{d-1} - 2D_{d-3}", "2*d - 2*(d - 2)", "4", 4,
+    ),
+}  # fmt: skip
