@@ -417,17 +417,19 @@ def test_families_by_id_and_place(id, place, families):
 
 
 @pytest.mark.parametrize(
-    ("place", "code", "section"),
+    ("id", "place", "code", "section"),
     [
-        ("Section 2.2, Definition 8", "coxeter.ledger.section_5.f", "2"),
-        ("Appendix C, Lemma 12", "", "C"),
-        ("Table 6", "coxeter.ledger.section_5_tables.f", "5"),
-        ("Lemma 8", "coxeter.ledger.appendix_a.f", "A"),
-        ("Somewhere", "coxeter.ledger.f", ""),
+        ("def-8", "Section 2.2, Definition 8", "coxeter.ledger.section_5.f", "2"),
+        ("lem-12", "Appendix C, Lemma 12", "", "C"),
+        ("tab-6.B.3", "Table 6", "coxeter.ledger.section_5_tables.f", "5"),
+        ("lem-8", "Lemma 8", "coxeter.ledger.appendix_a.f", "A"),
+        ("tab-6.B.3", "Table 6", "coxeter.ledger.records.f", "5"),
+        ("tab-1.B.u-1", "Table 1", "coxeter.ledger.records.f", "2"),
+        ("def-8", "Somewhere", "coxeter.ledger.f", ""),
     ],
 )
-def test_the_section_by_place_else_by_room(place, code, section):
-    assert section_of(replace(make("x", holds, place=place), code=code)) == section
+def test_the_section_by_place_or_room_or_item(id, place, code, section):
+    assert section_of(replace(make(id, holds, place=place), code=code)) == section
 
 
 # -- the inventory ---------------------------------------------------------------------------------------

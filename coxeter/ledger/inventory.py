@@ -48,6 +48,9 @@ PROPOSITIONS = {
 FIGURES = {f"fig-{number}": family for number, family in enumerate(FAMILIES[:-1], 4)}
 """The figures that belong to one family's study."""
 
+PLACES = {"tab-1": "2", "thm-8": "5"} | {f"tab-{number}": "5" for number in range(2, 7)}
+"""Where items stand whose claims name no section as their place."""
+
 
 def items() -> tuple[str, ...]:
     """The id of every numbered item.

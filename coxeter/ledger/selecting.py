@@ -11,7 +11,7 @@ from ..errors import InvalidInput
 from ..names import FAMILIES, MINIMAL_DIMENSION
 from . import all_claims, find_claim
 from .claim import CLAIMS, Claim
-from .inventory import FIGURES, PROPOSITIONS, belongs
+from .inventory import FIGURES, PLACES, PROPOSITIONS, belongs
 from .recorded import Record, recorded
 
 SECTIONS = ("1", "2", "3", "4", "5", "6", "A", "B", "C", "D")
@@ -86,11 +86,11 @@ def _load(ids: Sequence[str]) -> Mapping[str, Claim]:
 
 
 def section_of(claim: Claim) -> str:
-    """The section or appendix in which a claim stands: by its place, else by the room of its check."""
+    """The section or appendix in which a claim stands: by its place, its check's module or its item."""
     for text in (claim.place, claim.code):
         if match := re.search(r"(?:section|appendix)[ _]([1-6A-D])\b", text.replace("_", " "), re.IGNORECASE):
             return match[1].upper()
-    return ""
+    return next((section for item, section in PLACES.items() if belongs(claim.id, item)), "")
 
 
 def families_of(claim: Claim) -> frozenset[str]:

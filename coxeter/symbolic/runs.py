@@ -105,7 +105,7 @@ def segments(vectors: Sequence[RunVector], case: Case) -> list[tuple[Rational, R
         reached, track = FIELD(0), []
         for x, n in vector.runs:
             length = case(n)
-            if not case_sign(case, length) >= 0:
+            if not Case(case.text, {}, case.parameters).nonnegative(length):
                 raise Undecided(f"the run {x}^{{{n}}} may have negative length for {case.text}")
             reached = reached + length
             track.append((reached, case(x)))
