@@ -302,9 +302,11 @@ def test_an_altered_wrong_printed_value_is_noticed():
     CLAIMS["thm-90.number"] = replace(NUMBER, printed={"number": 5})
     (entry,) = [x for x in compare(verify()).entries if x.outcome != "as recorded"]
     assert entry.outcome == "differs"
-    assert entry.problems == (
-        "correction: expected 'number: printed 4, true 3', came out 'number: printed 5, true 3'",
+    correction, about = entry.problems
+    assert correction == (
+        "correction: expected 'number: printed 4, true 3', came out 'number: printed 5, true 3'"
     )
+    assert about.startswith("about: expected ")
 
 
 @pytest.mark.usefixtures("good")
@@ -465,6 +467,13 @@ def test_unknown_dependencies_are_found():
     assert inventory.unknown_dependencies(claims) == {"b": ("d",)}
 
 
+def test_a_dependency_on_an_item_means_all_its_claims():
+    claims = claims_of(("def-1.a", [], []), ("def-1.b", ["c"], []), ("c", ["def-1"], []), ("def-12", [], []))
+    assert inventory.meant("def-1", claims) == ("def-1.a", "def-1.b")
+    assert not inventory.unknown_dependencies(claims)
+    assert len(inventory.cycles(claims)) == 1
+
+
 def test_circles_are_found():
     claims = claims_of(
         ("a", ["b"], []), ("b", [], ["c"]), ("c", ["a"], []), ("d", ["a"], ["d"]), ("e", [], [])
@@ -581,7 +590,7 @@ def test_an_altered_printed_constant_is_noticed(room):
         expected = record(claim, claim.judge())
         for what, constants in mutants(claim.printed):
             try:
-                found = record(claim, claim.judge(constants))
+                found = record(replace(claim, printed=constants), claim.judge(constants))
             except Exception:  # an outcome of its own
                 continue
             if not differences(expected, found):

@@ -122,3 +122,14 @@ def test_words_alone_decide_nothing():
     proof = Proof("something", (argument("Obviously"),))
     assert (proof.decided, proof.replay()) == (0, 0)
     assert "0 steps decided by computation, 1 argued in words" in proof._repr_markdown_()
+
+
+@pytest.mark.parametrize("name", QUANTITIES)
+@pytest.mark.parametrize("letter", "AB")
+def test_a_formula_in_the_wrong_range_is_refuted(letter, name):
+    """Right for odd d, claimed for all; right from d = 4 on, claimed from d = 3."""
+    first, *others = closed_form(letter, name).pieces
+    for piece in others:
+        for wrong in (Piece(piece.text, 3), Piece(first.text, 3), Piece(piece.text, first.low, first.high, first.parity)):
+            with pytest.raises(Refuted):
+                quantity(letter, name, (wrong,))

@@ -1,23 +1,66 @@
-"""What the book needs of Sphinx beyond its settings: MathJax from the book itself.
+"""What the book needs of Sphinx beyond its settings: formulas offline, and the views of the ledger.
 
-One file that draws formulas as SVG needs no fonts, hence works offline and from file:// too. It
-is taken from an installed package at build time.
+* MathJax comes from the book itself. One file that draws formulas as SVG needs no fonts, hence works offline
+  and from file:// too. It is taken from an installed package at build time.
+* Roles: ``{badge}`thm-8.delaunay` `` is the verdict on a claim, on several, or on all of an item;
+  ``{ledger}`checked` `` is a number.
+* Directives: ``{verdict}`` is a box with a verdict and what to use instead; ``{view}`` is any other view.
+* Every check's source has a page; the files beside the pages are written at the end.
+
+An unknown claim, number or view is a warning, and a warning fails the build.
 """
 
+import ast
+import html
+from collections.abc import Iterator
+from functools import lru_cache
+from importlib import import_module
 from importlib.util import find_spec
 from pathlib import Path
 from typing import Any
 
+from docutils import nodes
 from sphinx.application import Sphinx
+from sphinx.environment import BuildEnvironment
+from sphinx.util import logging
+from sphinx.util.docutils import SphinxDirective, SphinxRole
+
+from coxeter.errors import CoxeterError
+from coxeter.pages import headline, judge_all
+from coxeter.pages.judged import gravest, sources_key
+from coxeter.pages.naming import Site
+from coxeter.pages.pills import box, pill, words
+from coxeter.pages.views import Views
 
 MATHJAX = "tex-svg-full.js"
+SCRIPTED = ("lg-controls", "lg-errata", "lg-graph", "lg-notes")
+"""What the script of the ledger's pages works on."""
+
+log = logging.getLogger(__name__)
 
 
 def setup(app: Sphinx) -> dict[str, Any]:
     app.config.mathjax_path = MATHJAX
     app.set_html_assets_policy("always")  # every side bar has formulas, in the chapters' titles
+    app.add_css_file("ledger.css")
+    app.add_role("badge", BadgeRole())
+    app.add_role("ledger", NumberRole())
+    app.add_directive("verdict", VerdictDirective)
+    app.add_directive("view", ViewDirective)
+    app.add_node(
+        badge,
+        html=(show_badge, None),
+        latex=(write_badge, None),
+        text=(add_badge, None),
+        man=(write_badge, None),
+        texinfo=(write_badge, None),
+    )
     app.connect("builder-inited", add_mathjax)
+    app.connect("env-get-outdated", pages_of_old_ledgers)
+    app.connect("html-page-context", add_script)
     app.connect("html-collect-pages", forget_modules_without_source, priority=1)
+    app.connect("html-collect-pages", pages_of_checks)
+    app.connect("build-finished", write_files)
     return {"parallel_read_safe": True, "parallel_write_safe": True}
 
 
@@ -35,3 +78,152 @@ def forget_modules_without_source(app: Sphinx) -> list[Any]:
     for name in [name for name, entry in found.items() if not entry]:
         del found[name]
     return []
+
+
+# -- the ledger -------------------------------------------------------------------------------------------
+
+
+@lru_cache(maxsize=1)
+def views_in(folder: Path) -> Views:
+    """The views of the ledger whose results are kept in a folder."""
+    return Views(judge_all(folder))
+
+
+def views(env: BuildEnvironment) -> Views:
+    return views_in(Path(env.app.outdir).parent / "ledger")
+
+
+def site_from(docname: str) -> Site:
+    return Site("../" * docname.count("/"))
+
+
+def pages_of_old_ledgers(app: Sphinx, env: BuildEnvironment, *_: Any) -> list[str]:
+    """All pages, if they were made when the library was another."""
+    key = sources_key(left_out=())
+    before, env.ledger_key = getattr(env, "ledger_key", None), key  # type: ignore[attr-defined]
+    return [] if before in (None, key) else sorted(env.found_docs)
+
+
+class badge(nodes.Inline, nodes.Element):
+    """A verdict on claims in a line of text."""
+
+
+class BadgeRole(SphinxRole):
+    def run(self) -> tuple[list[nodes.Node], list[nodes.system_message]]:
+        try:
+            views(self.env).ledger.find(self.text)
+        except CoxeterError as error:
+            log.warning("%s", error, location=self.get_location())
+            return [nodes.literal(self.rawtext, self.text)], []
+        return [badge(self.rawtext, ids=[], claims=self.text)], []
+
+
+def show_badge(translator: Any, node: badge) -> None:
+    """As a pill; a table of contents, whose entries are links, goes without."""
+    if not isinstance(node.parent, nodes.reference):
+        builder = translator.builder
+        site = site_from(getattr(builder, "current_docname", ""))
+        translator.body.append(pill(views(builder.env).ledger.find(node["claims"]), site))
+    raise nodes.SkipNode
+
+
+def in_words(translator: Any, node: badge) -> str:
+    return f"[{words(gravest(views(translator.builder.env).ledger.find(node['claims'])))}]"
+
+
+def write_badge(translator: Any, node: badge) -> None:
+    translator.body.append(in_words(translator, node))
+    raise nodes.SkipNode
+
+
+def add_badge(translator: Any, node: badge) -> None:
+    translator.add_text(in_words(translator, node))
+    raise nodes.SkipNode
+
+
+class NumberRole(SphinxRole):
+    def run(self) -> tuple[list[nodes.Node], list[nodes.system_message]]:
+        numbers = headline(views(self.env).ledger)
+        if self.text not in numbers:
+            message = "there is no number %r of the ledger; there are %s"
+            log.warning(message, self.text, ", ".join(numbers), location=self.get_location())
+            return [nodes.literal(self.rawtext, self.text)], []
+        return [nodes.Text(str(numbers[self.text]))], []
+
+
+class VerdictDirective(SphinxDirective):
+    """A box: ``:::{verdict} thm-8``. What stands in it, if anything, stands below the verdict."""
+
+    required_arguments = 1
+    final_argument_whitespace = True
+    has_content = True
+
+    def run(self) -> list[nodes.Node]:
+        try:
+            claims = views(self.env).ledger.find(self.arguments[0])
+        except CoxeterError as error:
+            log.warning("%s", error, location=self.get_location())
+            return []
+        said = self.parse_content_to_nodes() if self.content else []
+        return [*in_both(box(claims, site_from(self.env.docname)), words(gravest(claims))), *said]
+
+
+class ViewDirective(SphinxDirective):
+    """Any other view: ``:::{view} errata proofs``."""
+
+    required_arguments = 1
+    final_argument_whitespace = True
+    has_content = True
+
+    def run(self) -> list[nodes.Node]:
+        name = " ".join(self.arguments[0].split())
+        try:
+            made = views(self.env).view(name, list(self.content), site_from(self.env.docname))
+        except CoxeterError as error:
+            log.warning("%s", error, location=self.get_location())
+            return []
+        return in_both(made, f"This is shown in the book's pages: {name}.")
+
+
+def in_both(made: str, otherwise: str) -> list[nodes.Node]:
+    """HTML, and words for all other formats."""
+    return [nodes.raw("", made, format="html"), nodes.raw("", otherwise, format="latex text man texinfo")]
+
+
+# -- pages and files beside the chapters --------------------------------------------------------------------
+
+
+def add_script(app: Sphinx, pagename: str, template: str, context: dict[str, Any], *_: Any) -> None:
+    if any(name in context.get("body", "") for name in SCRIPTED):
+        app.add_js_file("ledger.js", loading_method="defer")
+
+
+def pages_of_checks(app: Sphinx) -> Iterator[tuple[str, dict[str, Any], str]]:
+    """The source of every check, a page for each module, with a place for each function."""
+    if app.builder.format != "html":
+        return
+    codes = {x.claim.code for x in views(app.env).ledger}
+    for module in sorted({code.rpartition(".")[0] for code in codes}):
+        names = {code.rpartition(".")[2] for code in codes if code.rpartition(".")[0] == module}
+        body = f"<h1>Source of {html.escape(module)}</h1>{source(app, module, names)}"
+        yield f"checks/{module}", {"title": module, "body": body}, "page.html"
+
+
+def source(app: Sphinx, name: str, functions: set[str]) -> str:
+    """A module's source, highlighted, with the functions marked."""
+    code = Path(str(import_module(name).__file__)).read_text(encoding="utf-8")
+    lines = app.builder.highlighter.highlight_block(code, "python").split("\n")  # type: ignore[attr-defined]
+    for node in ast.walk(ast.parse(code)):
+        if isinstance(node, ast.FunctionDef) and node.name in functions:
+            functions.discard(node.name)
+            first = min([node.lineno, *(x.lineno for x in node.decorator_list)]) - 1
+            lines[first] = f'<span class="lg-target" id="{node.name}"></span>{lines[first]}'
+    return "\n".join(lines)
+
+
+def write_files(app: Sphinx, error: Exception | None) -> None:
+    if error is None and app.builder.format == "html":
+        folder = Path(app.outdir) / "downloads"
+        folder.mkdir(exist_ok=True)
+        for name, text in views(app.env).files.items():
+            (folder / name).write_text(text, encoding="utf-8")

@@ -1,4 +1,4 @@
-"""Execute the notebooks, then render the book. Any warning is an error."""
+"""Judge the claims, execute the notebooks, then render the book. Any warning is an error."""
 
 import argparse
 import hashlib
@@ -10,6 +10,9 @@ from jupyter_book.sphinx import build_sphinx
 from run_notebooks import ROOT, cache_into, run_all
 from sphinx.util.console import nocolor
 from stages import Stages
+
+from coxeter.ledger.reporting import score
+from coxeter.pages import judge_all
 
 BUILD = ROOT / "_build"
 
@@ -23,6 +26,15 @@ def library_key() -> str:
     return digest.hexdigest()[:16]
 
 
+def judge() -> bool:
+    """Judge all claims, from which the pages are made; say what is amiss, and whether nothing is."""
+    results = [x.result for x in judge_all(BUILD / "ledger")]
+    troubles = [f"{x.id}: {x.trouble}" for x in results if x.trouble]
+    troubles += [f"{x.id}: this mutant is not rejected: {what}" for x in results for what in x.survivors]
+    print("\n".join([*troubles, f"  {len(results)} claims; {score(results)}"]), flush=True)
+    return not troubles
+
+
 def main() -> int:
     parser = argparse.ArgumentParser(description=__doc__)
     parser.add_argument("--started", type=float, default=time.time(), help="when set-up began")
@@ -34,6 +46,9 @@ def main() -> int:
     if not sys.stdout.isatty():
         nocolor()
     stages = Stages(options.started)
+    with stages.stage("claims", "judge them"):
+        if not judge():
+            return 1
     cache = BUILD / "notebooks" / library_key()
     with stages.stage("notebooks", "execute them"):
         if run_all(cache_into(cache)):

@@ -15,6 +15,7 @@ CHECKS = {
     "lint": "ruff check .",
     "types": "mypy",
     "imports": "lint-imports",
+    "ledger": "coxeter verify",
     "tests": "pytest -n 2",
     "notebooks": "pytest -n 2 --dist loadfile --nbval notebooks"
     " --nbval-sanitize-with tools/nbval_sanitize.cfg",

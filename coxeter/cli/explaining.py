@@ -8,8 +8,8 @@ from collections.abc import Iterable, Iterator
 from dataclasses import dataclass
 from typing import Any
 
-from ..ledger.inventory import meant
 from ..ledger.claim import CLAIMS, Claim, Constants, spell
+from ..ledger.inventory import meant
 from ..ledger.recorded import recorded
 from ..ledger.reporting import Entry, score
 from ..ledger.running import run
@@ -58,8 +58,12 @@ class Explained:
 def explained(claim: Claim) -> Explained:
     """Judge a claim, and find what depends on it among the claims that are loaded."""
     entry = Entry(claim.id, claim, run(claim), recorded().get(claim.id))
-    stated = tuple(id for id, other in CLAIMS.items() if any(claim.id in meant(x, CLAIMS) for x in other.to_state))
-    proved = tuple(id for id, other in CLAIMS.items() if any(claim.id in meant(x, CLAIMS) for x in other.to_prove))
+    stated = tuple(
+        id for id, other in CLAIMS.items() if any(claim.id in meant(x, CLAIMS) for x in other.to_state)
+    )
+    proved = tuple(
+        id for id, other in CLAIMS.items() if any(claim.id in meant(x, CLAIMS) for x in other.to_prove)
+    )
     return Explained(entry, claim, stated, proved)
 
 

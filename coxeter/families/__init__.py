@@ -48,6 +48,19 @@ class Piece:
         in_range = self.low <= d and (self.high is None or d <= self.high)
         return in_range and self.parity in (None, "odd" if d % 2 else "even")
 
+    def meet(self, other: Piece) -> Piece | None:
+        """The formula where another one is defined as well; None if that is nowhere.
+
+        >>> Piece("d", 3, None, "odd").meet(Piece("1", 2, 5))
+        Piece(text='d', low=3, high=5, parity='odd')
+        """
+        parities = {x.parity for x in (self, other) if x.parity}
+        high = min((h for h in (self.high, other.high) if h is not None), default=None)
+        low = max(self.low, other.low)
+        if len(parities) > 1 or (high is not None and high < low):
+            return None
+        return Piece(self.text, low, high, parities.pop() if parities else None)
+
     @property
     def expression(self) -> sympy.Expr:
         """The formula as a SymPy expression in the positive integer d."""

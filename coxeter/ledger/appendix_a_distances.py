@@ -5,18 +5,12 @@ from __future__ import annotations
 from ..exact import Surd, sqrt
 from ..families import evaluate
 from .appendix_a_samples import CORNER, PYTHAGORAS, Setting, moment, setting_at, settings, shapes
-from .appendix_a_support import (
-    LEMMA_9,
-    amend,
-    from_formula,
-    is_centre_of_regular,
-    regular_value,
-    sharp_bound,
-    told,
-    value_of_regular,
-)
+from .appendix_a_support import LEMMA_9, is_centre_of_regular, sharp_bound, value_of_regular
 from .claim import Constants, Finding, agree, claim, corrected, damaged, decide, holds, repaired
+from .instances import regular_value
+from .records import formula_at
 from .vocabulary import EVERY_D, FINITE, Weight
+from .wording import amend, told
 
 # -- equations (3) to (5) ----------------------------------------------------------------------------------
 
@@ -234,8 +228,12 @@ def _conclusion_holds(c: Constants, s: Setting) -> bool:
     return c["oq"] >= 1 and gap >= 0 and sharp and 2 * ratio * factor == 1
 
 
-@from_formula("Appendix A, end of the proof of Lemma 9")
-@claim("lem-9.regular", f"{LEMMA_9}, last line", Weight.PROOF)
+@claim(
+    "lem-9.regular",
+    f"{LEMMA_9}, last line",
+    Weight.PROOF,
+    printed=formula_at("Appendix A, end of the proof of Lemma 9"),
+)
 @told
 def regular_aspect_ratio(printed: Constants) -> Finding:
     r"""The aspect ratio of the regular simplex is {value}, by a simple computation."""

@@ -8,15 +8,18 @@ from functools import lru_cache
 from math import factorial, isqrt, prod
 from random import Random
 
+from .. import quality
 from ..errors import DegenerateSimplex
 from ..exact import Surd, sqrt
 from ..families import evaluate
-from ..quality import PAPER_MEASURES
 from ..simplex import Simplex, regular_simplex
-from .appendix_a_samples import REACH, face, random_simplices, shapes
-from .appendix_a_support import from_formula, regular_value, told, value_of_regular
+from .appendix_a_samples import REACH, facet, shapes
+from .appendix_a_support import value_of_regular
 from .claim import Constants, Finding, agree, claim, decide
+from .instances import is_regular, near_regular, random_simplices, regular_value
+from .records import formula_at
 from .vocabulary import EVERY_D, INSTANCES, Weight
+from .wording import told
 
 LEMMA_11 = "Appendix A, proof of Lemma 11"
 
@@ -26,28 +29,17 @@ def flag(s: Simplex) -> tuple[Simplex, ...]:
     """Faces σ_1 ⊂ … ⊂ σ_d: each lies below the least height of the next."""
     if s.dimension == 1:
         return (s,)
-    heights = s.squared_heights
-    top = heights.index(min(heights))
-    below = face(s, [i for i in range(s.dimension + 1) if i != top])
-    assert below is not None
-    return (*flag(below), s)
+    top = s.squared_heights.index(min(s.squared_heights))
+    return (*flag(facet(s, top)), s)
 
 
-def _fatness(s: Simplex) -> Surd:
-    return s.volume / s.longest_edge**s.dimension
-
-
-def _thickness(s: Simplex) -> Surd:
-    return s.minimal_height / s.longest_edge
-
-
-@from_formula("Appendix A, Lemma 11")
 @claim(
     "lem-11",
     "Appendix A, Lemma 11",
     Weight.RESULT,
     to_state=("def-18.fatness",),
     to_prove=("lem-11.bound", "lem-11.thickness", "lem-11.product", "lem-11.regular"),
+    printed=formula_at("Appendix A, Lemma 11"),
 )
 def fatness(printed: Constants) -> Finding:
     r"""No d-simplex is fatter than the regular one, which has the fatness {value}."""
@@ -152,19 +144,20 @@ def bound(printed: Constants) -> Finding:
 
 
 def _bound_holds(factor: str, s: Simplex) -> bool:
-    right = evaluate(factor, d=s.dimension) * prod(map(_thickness, flag(s)))
-    regular = s.squared_longest_edge == s.squared_shortest_edge
-    return _fatness(s) == right if regular else _fatness(s) <= right
+    right = evaluate(factor, d=s.dimension) * prod(map(quality.thickness, flag(s)))
+    return quality.fatness(s) == right if is_regular(s) else quality.fatness(s) <= right
 
 
 @claim("lem-11.thickness", LEMMA_11, Weight.PROOF, to_prove=("lem-10",))
 def each_thickness(printed: Constants) -> Finding:
     r"""By Lemma 10 the thickness of $\sigma_i$ is at most {bound}, for each i; this cannot be improved."""
     sharp = all(
-        evaluate(printed["bound"], i=i) == _thickness(regular_simplex(i)) for i in range(1, REACH + 1)
+        evaluate(printed["bound"], i=i) == quality.thickness(regular_simplex(i)) for i in range(1, REACH + 1)
     )
     good = sharp and all(
-        _thickness(tau) <= evaluate(printed["bound"], i=tau.dimension) for s in shapes() for tau in flag(s)
+        quality.thickness(tau) <= evaluate(printed["bound"], i=tau.dimension)
+        for s in shapes()
+        for tau in flag(s)
     )
     return decide(
         good,
@@ -193,8 +186,12 @@ def product(printed: Constants) -> Finding:
     )
 
 
-@from_formula("Appendix A, end of the proof of Lemma 11")
-@claim("lem-11.regular", f"{LEMMA_11}, last line", Weight.PROOF)
+@claim(
+    "lem-11.regular",
+    f"{LEMMA_11}, last line",
+    Weight.PROOF,
+    printed=formula_at("Appendix A, end of the proof of Lemma 11"),
+)
 def regular_fatness(printed: Constants) -> Finding:
     r"""The fatness of the regular simplex is {value}, by a simple computation."""
     why = r"All faces of a regular simplex are regular, so every inequality of the proof is an equality."
@@ -210,7 +207,7 @@ Rows = list[list[int]]
 def search(printed: Constants) -> Finding:
     """No simplex that a search found exceeds the regular one in one of the measures {measures}."""
     number, beaten = _search()
-    survived = tuple(m.name for m in PAPER_MEASURES if m.name not in beaten)
+    survived = tuple(m.name for m in quality.PAPER_MEASURES if m.name not in beaten)
     return agree(
         printed,
         {"measures": tuple(sorted(survived))},
@@ -226,17 +223,10 @@ def _search() -> tuple[int, frozenset[str]]:
     """How many simplices were tried, and the measures in which one of them exceeds the regular simplex."""
     number, beaten = 0, set()
     for d in range(2, 7):
-        for s in (*random_simplices(d, 10, seed=3, size=3), *_near_regular(d), *_climbed(d)):
+        for s in (*random_simplices(d, 10, seed=3, size=3), *near_regular(d, 6, 12), *_climbed(d)):
             number += 1
             beaten |= {name for name, exceeds in EXCEEDS.items() if exceeds(s)}
     return number, frozenset(beaten)
-
-
-def _near_regular(d: int, count: int = 6, size: int = 12) -> Iterator[Simplex]:
-    """The unit vectors, enlarged, each coordinate moved by at most one."""
-    rng = Random(d)
-    for _ in range(count):
-        yield Simplex([[size * (i == j) + rng.randint(-1, 1) for j in range(d + 1)] for i in range(d + 1)])
 
 
 def _climbed(d: int, steps: int = 14) -> Iterator[Simplex]:

@@ -9,9 +9,11 @@ from ..errors import InvalidInput
 from ..exact import Surd, sqrt
 from ..simplex import Simplex
 from .appendix_a_samples import PYTHAGORAS, Setting, moment, setting_at, settings, shapes
-from .appendix_a_support import KLAMKIN, LEMMA_9, amend, from_formula, identity, told, value_of_regular
+from .appendix_a_support import KLAMKIN, LEMMA_9, identity, value_of_regular
 from .claim import Constants, Finding, agree, claim, corrected, holds
+from .records import formula_at
 from .vocabulary import EVERY_D, Weight
+from .wording import amend, told
 
 # -- Lemma 8 -----------------------------------------------------------------------------------------------
 
@@ -28,13 +30,13 @@ def _spread_by_heights(s: Simplex) -> Surd:
     return sum((edges[i, j] * sqrt(1 / (h[i] * h[j])) for i, j in pairs), Surd(0))
 
 
-@from_formula("Appendix A, Lemma 8")
 @claim(
     "lem-8",
     "Appendix A, Lemma 8",
     Weight.RESULT,
     to_state=("def-18.radius-ratio",),
     to_prove=("eq-1", "eq-2", "eq-3"),
+    printed=formula_at("Appendix A, Lemma 8"),
 )
 def radius_ratio(printed: Constants) -> Finding:
     r"""No d-simplex has a greater radius ratio than the regular one, which has {value} (Klamkin)."""
@@ -53,13 +55,13 @@ def radius_ratio(printed: Constants) -> Finding:
 # -- Lemma 9 -----------------------------------------------------------------------------------------------
 
 
-@from_formula("Appendix A, Lemma 9")
 @claim(
     "lem-9",
     "Appendix A, Lemma 9",
     Weight.RESULT,
     to_state=("def-18.aspect-ratio",),
     to_prove=("lem-9.conclusion", "lem-9.chain", "lem-9.regular"),
+    printed=formula_at("Appendix A, Lemma 9"),
 )
 def aspect_ratio(printed: Constants) -> Finding:
     r"""No d-simplex has a greater aspect ratio than the regular one, which has {value}."""

@@ -2,31 +2,22 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
 from fractions import Fraction
 from functools import cached_property, lru_cache
 from itertools import combinations
-from random import Random
 
-from ..errors import DegenerateSimplex, InvalidInput
 from ..exact import Surd, sqrt
-from ..paper import printed as paper
 from ..simplex import Position, Simplex, position, regular_simplex
+from .instances import random_simplices
+from .vectors import minus
 
 Weights = tuple[Fraction, ...]
 """Barycentric coordinates of a point, or differences of two: these add up to zero."""
 
 REACH = 24
 """Formulas are compared with the core up to this dimension."""
-
-
-def printed_formula(place: str) -> str:
-    """The formula that is printed for the regular simplex at a place of the paper."""
-    found = [f.text for f in paper().formulas if f.place == place]
-    if len(found) != 1:
-        raise InvalidInput(f"{len(found)} formulas are recorded for {place!r}: there must be one")
-    return found[0]
 
 
 # -- distances in barycentric coordinates -------------------------------------------------------------------
@@ -50,14 +41,14 @@ def unit(n: int, i: int) -> Weights:
     return tuple(Fraction(i == j) for j in range(n))
 
 
-def minus(x: Sequence[Fraction], y: Sequence[Fraction]) -> Weights:
-    """The difference of two points."""
-    return tuple(a - b for a, b in zip(x, y, strict=True))
+def face(simplex: Simplex, indices: Sequence[int]) -> Simplex:
+    """The face with the given vertices, two or more."""
+    return Simplex([simplex.vertices[i] for i in indices])
 
 
-def face(simplex: Simplex, indices: Sequence[int]) -> Simplex | None:
-    """The face with the given vertices; None for a single vertex."""
-    return Simplex([simplex.vertices[i] for i in indices]) if len(indices) > 1 else None
+def facet(simplex: Simplex, i: int) -> Simplex:
+    """The facet opposite to vertex i, of a simplex of dimension at least 2."""
+    return face(simplex, [j for j in range(simplex.dimension + 1) if j != i])
 
 
 @dataclass(frozen=True)
@@ -91,9 +82,9 @@ class Setting:
     @cached_property
     def facet_volumes(self) -> tuple[Surd, ...]:
         """F_i, each from its own vertices; 1 for a point."""
-        n = self.d + 1
-        faces = (face(self.simplex, [j for j in range(n) if j != i]) for i in range(n))
-        return tuple(tau.volume if tau else Surd(1) for tau in faces)
+        if self.d == 1:
+            return Surd(1), Surd(1)
+        return tuple(facet(self.simplex, i).volume for i in range(self.d + 1))
 
     @cached_property
     def total(self) -> Surd:
@@ -217,19 +208,6 @@ def _points(s: Simplex) -> list[Weights]:
     return list(dict.fromkeys([s.circumcentre_coordinates, centroid, unit(n, 0), outside, uneven, middle]))
 
 
-def random_simplices(d: int, count: int, seed: int, size: int = 4) -> list[Simplex]:
-    """Simplices with integer coordinates from -size to size, always the same ones."""
-    rng = Random(1000 * seed + d)
-    found: list[Simplex] = []
-    while len(found) < count:
-        rows = [[rng.randint(-size, size) for _ in range(d)] for _ in range(d + 1)]
-        try:
-            found.append(Simplex(rows))
-        except DegenerateSimplex:
-            continue
-    return found
-
-
 @lru_cache(maxsize=1)
 def shapes() -> tuple[Simplex, ...]:
     """More simplices, of dimension 1 to 5, for statements without a point."""
@@ -250,48 +228,37 @@ class Ball:
     squared_radius: Fraction
 
 
+def _balls_of_faces(simplex: Simplex) -> Iterator[Ball]:
+    """The balls through the vertices of a face, about its circumcentre, for faces that have it inside."""
+    n = simplex.dimension + 1
+    for indices in (x for size in range(2, n + 1) for x in combinations(range(n), size)):
+        tau = face(simplex, indices)
+        if min(tau.circumcentre_coordinates) > 0:
+            weights = dict(zip(indices, tau.circumcentre_coordinates, strict=True))
+            centre = tuple(weights.get(i, Fraction(0)) for i in range(n))
+            yield Ball(indices, centre, tau.squared_circumradius)
+
+
 @lru_cache(maxsize=512)
 def enclosing_balls(simplex: Simplex) -> tuple[Ball, ...]:
-    """All balls that contain the vertices and whose centre is the circumcentre of a face, inside that face.
-
-    There is always exactly one, and it is the minimal enclosing ball.
-    """
+    """Those of these balls that contain all vertices: always one, the minimal enclosing ball."""
     edges, n = simplex.squared_edge_lengths.rows(), simplex.dimension + 1
-    found = []
-    for size in range(2, n + 1):
-        for indices in combinations(range(n), size):
-            tau = face(simplex, indices)
-            assert tau is not None
-            if min(tau.circumcentre_coordinates) <= 0:
-                continue
-            centre = spread(indices, tau.circumcentre_coordinates, n)
-            apart = (square(edges, minus(centre, unit(n, i))) for i in range(n))
-            if max(apart) <= tau.squared_circumradius:
-                found.append(Ball(indices, centre, tau.squared_circumradius))
-    return tuple(found)
 
+    def encloses(ball: Ball) -> bool:
+        apart = (square(edges, minus(ball.centre, unit(n, i))) for i in range(n))
+        return max(apart) <= ball.squared_radius
 
-def spread(indices: Sequence[int], weights: Sequence[Fraction], n: int) -> Weights:
-    """Barycentric coordinates in a face as coordinates in the simplex."""
-    by_index = dict(zip(indices, weights, strict=True))
-    return tuple(by_index.get(i, Fraction(0)) for i in range(n))
+    return tuple(filter(encloses, _balls_of_faces(simplex)))
 
 
 @lru_cache(maxsize=512)
 def nearest_face(simplex: Simplex) -> tuple[int, ...]:
     """The face whose relative interior contains the point of the simplex nearest to its circumcentre."""
     edges, n = simplex.squared_edge_lengths.rows(), simplex.dimension + 1
-    centre = simplex.circumcentre_coordinates
-    for size in range(2, n + 1):
-        for indices in combinations(range(n), size):
-            tau = face(simplex, indices)
-            assert tau is not None
-            if min(tau.circumcentre_coordinates) <= 0:
-                continue
-            near = spread(indices, tau.circumcentre_coordinates, n)
-            away = minus(centre, near)
-            if all(_product(edges, minus(unit(n, i), near), away) <= 0 for i in range(n)):
-                return indices
+    for ball in _balls_of_faces(simplex):
+        away = minus(simplex.circumcentre_coordinates, ball.centre)
+        if all(_product(edges, minus(unit(n, i), ball.centre), away) <= 0 for i in range(n)):
+            return ball.carrier
     raise AssertionError("the nearest point lies in the relative interior of one face")
 
 

@@ -3,17 +3,13 @@
 from __future__ import annotations
 
 from collections.abc import Callable
-from dataclasses import replace
-from functools import lru_cache, wraps
-from types import MappingProxyType
-from typing import Any
+from functools import lru_cache
 
 from ..exact import Surd
-from ..families import evaluate, expression
-from ..quality import find_measure
-from ..simplex import regular_simplex
-from .appendix_a_samples import REACH, Setting, printed_formula, settings
-from .claim import CLAIMS, Check, Constants, Finding, corrected, decide, holds, same, spell
+from ..families import evaluate
+from .appendix_a_samples import REACH, Setting, settings
+from .claim import Constants, Finding, corrected, decide, holds
+from .instances import is_regular, regular_value
 from .vocabulary import EVERY_D
 
 LEMMA_9 = "Appendix A, proof of Lemma 9"
@@ -34,26 +30,6 @@ KLAMKIN = (
 )
 
 
-def from_formula(place: str, name: str = "value") -> Callable[[Check], Check]:
-    """The claim's constant is recorded with the formulas of the paper, not with its prose."""
-
-    def decorate(check: Check) -> Check:
-        code = f"{check.__module__}.{check.__name__}"
-        for id, known in CLAIMS.items():
-            if known.code == code:
-                constants = MappingProxyType({**known.printed, name: printed_formula(place)})
-                CLAIMS[id] = replace(known, printed=constants)
-        return check
-
-    return decorate
-
-
-@lru_cache(maxsize=256)
-def regular_value(measure: str, d: int) -> Surd:
-    """A measure of the regular simplex."""
-    return find_measure(measure)(regular_simplex(d))
-
-
 def is_regular_value(text: str, measure: str) -> bool:
     """Whether a formula gives a measure of the regular simplex for every d that is tried."""
     return all(evaluate(text, d=d) == regular_value(measure, d) for d in range(1, REACH + 1))
@@ -64,47 +40,15 @@ def value_of_regular(
 ) -> Finding:
     """Whether the printed formula is the measure of the regular simplex, and no sample exceeds it."""
     good = greatest and is_regular_value(printed["value"], measure)
-    words = f"the value is ${latex(true)}$"
     constants = {**printed, "value": true}
-    return decide(good, EVERY_D, words, REGULAR, *derivation, constants=constants)
+    return decide(good, EVERY_D, _in_words(true), REGULAR, *derivation, constants=constants)
 
 
-def latex(formula: str) -> str:
-    """A formula as LaTeX."""
-    import sympy
+@lru_cache(maxsize=16)
+def _in_words(value: str) -> str:
+    from ..proofs.proof import latex
 
-    return str(sympy.latex(expression(formula)))
-
-
-def told(check: Check) -> Check:
-    """Let each correction end with what is printed and what is true."""
-
-    @wraps(check)
-    def judge(printed: Constants) -> Finding:
-        return tell(check(printed), printed)
-
-    return judge
-
-
-def tell(finding: Finding, printed: Constants) -> Finding:
-    """A finding whose correction ends with what is printed and what is true."""
-    true = finding.constants or {}
-    names = dict.fromkeys((*printed, *true)) if true and not finding.verdict.accepts else ()
-    words = [
-        f"{name.replace('_', ' ')}: printed {_spell(printed.get(name))}, true {_spell(true.get(name))}"
-        for name in names
-        if not same(printed.get(name), true.get(name))
-    ]
-    return replace(finding, correction=f"{finding.correction} ({'; '.join(words)})") if words else finding
-
-
-def _spell(value: Any) -> str:
-    return "nothing" if value in (None, (), "") else spell(value)
-
-
-def amend(finding: Finding, **changes: Any) -> Finding:
-    """More words on a statement that needs a correction."""
-    return finding if finding.verdict.accepts else replace(finding, **changes)
+    return f"the value is ${latex(value)}$"
 
 
 Side = Callable[[Setting, Constants], Surd]
@@ -127,5 +71,5 @@ def sharp_bound(printed: Constants, true: Constants, gap: Callable[[Setting], Su
 
 
 def is_centre_of_regular(s: Setting) -> bool:
-    lengths = {x for i, row in enumerate(s.edges) for x in row[:i]}
-    return s.at_circumcentre and len(lengths) == 1
+    """Whether the simplex is regular and the point its centre."""
+    return s.at_circumcentre and is_regular(s.simplex)

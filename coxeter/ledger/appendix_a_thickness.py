@@ -10,9 +10,12 @@ from ..families import evaluate
 from ..simplex import regular_simplex
 from .appendix_a_samples import CORNER, REACH, enclosing_balls, setting_at, settings, shapes
 from .appendix_a_spike import EDGE_ONLY, is_least, ratios, section_is_edge, spike, spike_words
-from .appendix_a_support import REGULAR, from_formula, is_regular_value, told, value_of_regular
+from .appendix_a_support import REGULAR, is_regular_value, value_of_regular
 from .claim import Constants, Finding, agree, claim, corrected, decide, fails, holds, repaired
+from .instances import is_regular
+from .records import formula_at
 from .vocabulary import EVERY_D, Weight
+from .wording import told
 
 LEMMA_10 = "Appendix A, proof of Lemma 10"
 
@@ -44,13 +47,13 @@ NEAREST = (
 # -- Lemma 10 ----------------------------------------------------------------------------------------------
 
 
-@from_formula("Appendix A, Lemma 10")
 @claim(
     "lem-10",
     "Appendix A, Lemma 10",
     Weight.RESULT,
     to_state=("def-18.thickness",),
     to_prove=("lem-10.not-self-centred", "lem-10.product", "lem-10.regular"),
+    printed=formula_at("Appendix A, Lemma 10"),
 )
 def thickness(printed: Constants) -> Finding:
     r"""No d-simplex has a greater thickness than the regular one, which has {value}."""
@@ -224,7 +227,7 @@ def _product_holds(c: Constants, d: int) -> bool:
 @claim("lem-10.jung-attained", LEMMA_10, Weight.PROOF, to_state=("thm-9",))
 def jung_attained(printed: Constants) -> Finding:
     r"""For the regular simplex Jung's theorem is an equality: there $R_{\rm enc}/L$ = {ratio}."""
-    every = [s for s in shapes() if s.squared_longest_edge == s.squared_shortest_edge]
+    every = filter(is_regular, shapes())
     good = all(
         evaluate(printed["ratio"], d=d) == regular_simplex(d).circumradius / regular_simplex(d).longest_edge
         for d in range(1, REACH + 1)

@@ -10,35 +10,26 @@ from __future__ import annotations
 from fractions import Fraction
 from itertools import pairwise
 
-from ..exact import RationalMatrix
+from ..exact import RationalMatrix, show
 from ..simplex import Simplex
 from .appendix_b_steps import (
-    IDENTITY,
     different_spheres,
     every_pair,
     in_the_proof,
     points_of_sphere,
     separated,
-    show_point,
     sign,
     step,
     step_with,
 )
-from .claim import Constants, Finding, agree, claim, conjecture, fails, holds
+from .claim import Constants, Finding, agree, claim, fails, holds
+from .section_4_basics import POWER
 from .section_4_criterion import trapezoid_refutes
-from .section_4_geometry import (
-    Pair,
-    Point,
-    along,
-    circumsphere,
-    height_vector,
-    inner,
-    minus,
-    simplices,
-    squared,
-)
+from .section_4_geometry import Pair, circumsphere, height_vector, simplices
 from .section_4_planes import trapezoid_triangles, trapezoids
+from .vectors import Point, along, inner, minus, squared
 from .vocabulary import EVERY_D, FINITE, INSTANCES, Weight
+from .wording import broken
 
 PLACE = "Appendix B, proof of Lemma 4"
 
@@ -53,9 +44,9 @@ def separating_facet(printed: Constants) -> Finding:
         is_outside = min(Simplex(vertices).circumcentre_coordinates) < 0
         outside += is_outside
         if is_outside != (min(levels) < 0):
-            return fails(INSTANCES, f"the simplex {', '.join(map(show_point, vertices))}", "nothing")
+            return fails(INSTANCES, f"the simplex {', '.join(map(show, vertices))}", "nothing")
     if not outside:
-        return conjecture("no verdict: every simplex tried contains its circumcentre", INSTANCES)
+        return broken("every simplex tried contains its circumcentre")
     return holds(
         EVERY_D,
         "A point is outside exactly if one of its barycentric coordinates is negative; that of vertex $k$ is "
@@ -92,11 +83,10 @@ def sphere_t(printed: Constants) -> Finding:
         "codimension",
         different_spheres,
         _codimension_of_t,
-        *IDENTITY,
+        *POWER,
         r"A common point has $0=2(z_{c'}-z_c)z(x)$, so $z(x)=0$: it is in the hyperplane, at the distance "
-        r"$\varrho>0$ "
-        "from $o$; and all these points are common. They form the circumsphere of $\\tau$, of dimension "
-        "$d-2$.",
+        r"$\varrho>0$ from $o$; and all these points are common. They form the circumsphere of $\tau$, of "
+        "dimension $d-2$.",
         "If $S=S'$ (see `lem-4.centres-differ`) the intersection is $S$, and there is no cap.",
     )
 
@@ -139,12 +129,12 @@ def centres_differ(printed: Constants) -> Finding:
     diagonal = (first[0], first[2])
     off = _level_over_facet((*diagonal, first[1]), 2, spheres[0].centre)
     if not (equal and trapezoid_refutes() and spheres[0] == spheres[1] and off):
-        return conjecture("no verdict: the witness does not check", INSTANCES)
+        return broken("the witness does not check")
     return fails(
         FINITE,
-        f"the triangles {', '.join(map(show_point, second))} and {', '.join(map(show_point, first))}, the "
+        f"the triangles {', '.join(map(show, second))} and {', '.join(map(show, first))}, the "
         f"halves of a trapezoid in the Delaunay triangulation that refutes Lemma 4, have the same "
-        f"circumcentre {show_point(spheres[0].centre)}, which is not on the line of their common side",
+        f"circumcentre {show(spheres[0].centre)}, which is not on the line of their common side",
         "neighbours have the same circumcentre exactly if they have the same circumsphere, wherever on the "
         "normal of their facet it is; with this case kept, the proof gives $R'\\ge R$, with equality only if "
         "$c'=c$, and Lemma 4′",
@@ -190,10 +180,9 @@ def cap_order(printed: Constants) -> Finding:
     return step(
         different_spheres,
         _cap_is_below_iff_c_is,
-        *IDENTITY,
+        *POWER,
         r"For $x$ on $S$, $\operatorname{pow}'(x)=2(z_c-z_{c'})z(x)$: positive below the hyperplane if $c$ "
-        r"is below "
-        "$c'$, positive above it if $c$ is above $c'$.",
+        "is below $c'$, positive above it if $c$ is above $c'$.",
     )
 
 
@@ -215,8 +204,7 @@ def sweep(printed: Constants) -> Finding:
         different_spheres,
         _switches,
         r"By (P) the sign of $\operatorname{pow}'$ on each side of the hyperplane is that of $z_c-z_{c'}$, "
-        r"up to a "
-        "sign that does not change: constant but for $z_{c'}=z_c$. The limit cases are half-spaces.",
+        "up to a sign that does not change: constant but for $z_{c'}=z_c$. The limit cases are half-spaces.",
     )
 
 
@@ -234,7 +222,7 @@ def _switches(pair: Pair) -> int:
 def apex_on_cap(printed: Constants) -> Finding:
     """If c and c' differ: p is not inside S', as all is Delaunay, so it is on the cap outside."""
     if any(pair.other_sphere.power(pair.apex) for pair in separated() if pair.share_sphere):
-        return conjecture("no verdict: spheres that agree do not agree", INSTANCES)
+        return broken("spheres that agree do not agree")
     return step(
         in_the_proof,
         lambda pair: pair.sphere.power(pair.apex) == 0 < pair.other_sphere.power(pair.apex),
@@ -290,7 +278,7 @@ def _pythagoras(pair: Pair) -> bool:
 def contradiction(printed: Constants) -> Finding:
     """If R < R', R is not the largest circumradius: c does not lie outside σ."""
     if not all(pair.sphere.square == pair.other_sphere.square for pair in separated() if pair.share_sphere):
-        return conjecture("no verdict: spheres that agree do not agree", INSTANCES)
+        return broken("spheres that agree do not agree")
     return step(
         in_the_proof,
         lambda pair: max(pair.sphere.square, pair.other_sphere.square) != pair.sphere.square,

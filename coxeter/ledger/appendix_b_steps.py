@@ -6,11 +6,13 @@ from collections.abc import Callable, Iterable
 from fractions import Fraction
 from functools import lru_cache
 
+from ..exact import show
 from ..simplex import Position
-from .claim import Constants, Finding, agree, conjecture, fails, holds
-from .section_4_basics import POWER
-from .section_4_geometry import Pair, Point, any_pairs, boundary_pairs, inner, minus, separated_pairs
+from .claim import Constants, Finding, agree, fails, holds
+from .section_4_geometry import Pair, any_pairs, boundary_pairs, separated_pairs
+from .vectors import Point, inner, minus
 from .vocabulary import EVERY_D, INSTANCES
+from .wording import broken
 
 Pairs = Callable[[], tuple[Pair, ...]]
 
@@ -19,10 +21,10 @@ def step(hypotheses: Pairs, true: Callable[[Pair], bool], *proof: str) -> Findin
     """The step holds for every d by its proof; it is tried on the pairs, of which there must be some."""
     pairs = hypotheses()
     if not pairs:
-        return conjecture("no verdict: no pair satisfies the hypotheses", INSTANCES)
+        return broken("no pair satisfies the hypotheses")
     for pair in pairs:
         if not true(pair):
-            return fails(INSTANCES, f"the pair {show(pair)}", "nothing")
+            return fails(INSTANCES, f"the pair {show_pair(pair)}", "nothing")
     return holds(EVERY_D, *proof, tried(pairs))
 
 
@@ -32,7 +34,7 @@ def step_with(
     """The same for a step with a constant, which must have the same value for all pairs."""
     values = _values(hypotheses, value)
     if len(values) != 1:
-        return conjecture(f"no verdict: the {name} has {len(values)} values", INSTANCES)
+        return broken(f"the {name} has {len(values)} values")
     return agree(printed, {name: min(values)}, EVERY_D, *proof, tried(hypotheses()))
 
 
@@ -47,15 +49,10 @@ def tried(pairs: tuple[Pair, ...]) -> str:
     return f"Tried on {len(pairs)} pairs of simplices, of dimension {dimensions[0]} to {dimensions[-1]}."
 
 
-def show(pair: Pair) -> str:
+def show_pair(pair: Pair) -> str:
     """The vertices of a pair."""
-    facet = ", ".join(map(show_point, pair.facet))
-    return f"facet {facet}, apexes {show_point(pair.apex)} and {show_point(pair.other)}"
-
-
-def show_point(x: Point) -> str:
-    """A point as text."""
-    return f"({', '.join(map(str, x))})"
+    facet = ", ".join(map(show, pair.facet))
+    return f"facet {facet}, apexes {show(pair.apex)} and {show(pair.other)}"
 
 
 # -- the hypotheses of the steps --------------------------------------------------------------------------
@@ -109,6 +106,3 @@ def _second_hit(pair: Pair, v: Point, direction: Point) -> Point:
 def sign(x: Fraction) -> int:
     """The sign of a number."""
     return (x > 0) - (x < 0)
-
-
-IDENTITY = POWER

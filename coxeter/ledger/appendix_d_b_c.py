@@ -16,8 +16,13 @@ from .vocabulary import EVERY_D, Weight
 # -- Proposition 8 -------------------------------------------------------------------------------------------
 
 
-@claim("prop-8", "Section 6, Proposition 8", Weight.RESULT, to_prove=("prop-8.no-vertex",),
-    proof=("proposition_8",))
+@claim(
+    "prop-8",
+    "Section 6, Proposition 8",
+    Weight.RESULT,
+    to_prove=("prop-8.no-vertex",),
+    proof=("proposition_8",),
+)
 def vertices_of_b(printed: Constants) -> Finding:
     r"""For every d from {first} on the vertex set of $\tilde B_d$ is a lattice: {lattice}."""
     return decide(

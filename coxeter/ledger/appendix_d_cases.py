@@ -16,8 +16,7 @@ from ..lattices import LatticeProof, NonLatticeWitness, vertex_lattice
 from ..paper import PrintedStatement
 from ..paper import printed as paper
 from .claim import Constants
-
-Vector = tuple[Fraction, ...]
+from .vectors import Point
 
 
 @dataclass(frozen=True)
@@ -72,9 +71,9 @@ CASES = {
 }
 
 
-def fraction(x: object, d: int = 0) -> Fraction:
-    """A printed number, or a formula in d."""
-    return evaluate(str(x), d=d).as_fraction()
+def fraction(x: object, d: int = 0, k: int = 0) -> Fraction:
+    """A printed number, or a formula in d and k."""
+    return evaluate(str(x), d=d, k=k).as_fraction()
 
 
 def number(x: object, d: int) -> int:
@@ -104,12 +103,12 @@ def dimensions(case: Case) -> tuple[int, ...]:
 
 
 @lru_cache(maxsize=64)
-def witness(case: Case, d: int) -> Vector:
+def witness(case: Case, d: int) -> Point:
     """The vector v of a proof, as it is printed."""
     return spelled(statement(case, "combination").normal, d)
 
 
-def spelled(runs: Sequence[tuple[str, str]], d: int) -> Vector:
+def spelled(runs: Sequence[tuple[str, str]], d: int) -> Point:
     """A vector written as runs of equal coordinates."""
     point = coordinates(tuple(runs), d, 0)
     if point is None:
@@ -117,7 +116,7 @@ def spelled(runs: Sequence[tuple[str, str]], d: int) -> Vector:
     return tuple(Fraction(x) for x in point)  # type: ignore[arg-type]  # none of them is irrational
 
 
-def combination(case: Case, terms: Sequence[tuple[str, str]], d: int) -> Vector:
+def combination(case: Case, terms: Sequence[tuple[str, str]], d: int) -> Point:
     """The sum of multiples of the vertices, which have the signs of the paper."""
     t = case.at(d)
     rows = t.simplex.vertex_matrix.rows()

@@ -11,29 +11,17 @@ from ..affine import CoxeterTriangulation, affine_reflection, triangulation
 from ..errors import InvalidInput
 from ..exact import show
 from ..lattices import LatticeProof, vertex_lattice
-from ..names import triangulations_up_to
 from ..root_lattices import coweight_lattice, root_lattice
 from ..root_sets import cartan_integer
-from .appendix_a_support import told
 from .claim import Constants, Finding, agree, claim, corrected, decide, holds
+from .instances import all_types
+from .vectors import Point, inner
 from .vocabulary import EVERY_D, Weight
+from .wording import told
 
 LEMMA_14 = "Appendix D, Lemma 14"
 LEMMA_15 = "Appendix D, Lemma 15"
 PROPOSITION_7 = "Appendix D, proof of Proposition 7"
-
-Vector = tuple[Fraction, ...]
-
-
-@lru_cache(maxsize=1)
-def every() -> tuple[CoxeterTriangulation, ...]:
-    """All triangulations up to dimension 8."""
-    return tuple(map(triangulation, triangulations_up_to(8)))
-
-
-def _inner(x: Vector, y: Vector) -> Fraction:
-    return sum((a * b for a, b in zip(x, y, strict=True)), Fraction(0))
-
 
 # -- Lemma 14 ----------------------------------------------------------------------------------------------
 
@@ -44,7 +32,7 @@ def coweights_are_vertices(printed: Constants) -> Finding:
     triangulation: {contained}."""
     return agree(
         printed,
-        {"contained": all(_contains_coweights(t) for t in every())},
+        {"contained": all(_contains_coweights(t) for t in all_types(8))},
         EVERY_D,
         "A coweight p has integer inner products $n_i$ with the simple roots, so it lies on the "
         "hyperplanes $H_{s_i,n_i}$, whose d normals are independent.",
@@ -65,7 +53,7 @@ def hyperplanes(printed: Constants) -> Finding:
     r"""If $n_i$ are the inner products of a point with the simple roots $s_i$, the point lies on the d
     hyperplanes of the $s_i$ with the numbers {level}$_i$, and their normals are independent:
     {independent}."""
-    independent = all(t.roots.simple_roots.rank() == t.dimension for t in every())
+    independent = all(t.roots.simple_roots.rank() == t.dimension for t in all_types(8))
     return decide(
         printed["level"] == "n" and printed["independent"] is independent,
         EVERY_D,
@@ -83,7 +71,7 @@ def coweights_are_stable(printed: Constants) -> Finding:
     """The affine Weyl group maps the coweight lattice to itself: {stable}."""
     return agree(
         printed,
-        {"stable": all(_is_stable(t) for t in every())},
+        {"stable": all(_is_stable(t) for t in all_types(8))},
         EVERY_D,
         r"By (7) the product of $\sigma_{r,k}(x)$ with any root is an integer if those of x are: "
         r"$\langle r^\vee,r'\rangle$ is a Cartan integer. The reflections generate the group.",
@@ -107,8 +95,8 @@ def _reflected() -> tuple[tuple[Fraction, ...], ...]:
         roots = triangulation(name).roots.roots
         x = tuple(Fraction(2 * i + 1, 5) for i in range(roots.shape[1]))
         for r, other, k in product(roots.rows(), roots.rows(), (-1, 0, 2)):
-            second = (_inner(x, r) - k) * 2 * _inner(r, other) / _inner(r, r)
-            found.append((_inner(affine_reflection(r, k, x), other), _inner(x, other), second))
+            second = (inner(x, r) - k) * 2 * inner(r, other) / inner(r, r)
+            found.append((inner(affine_reflection(r, k, x), other), inner(x, other), second))
     return tuple(found)
 
 
@@ -125,9 +113,8 @@ def seventh_equation(printed: Constants) -> Finding:
 def integers(printed: Constants) -> Finding:
     r"""The numbers $\langle r^\vee,r'\rangle$ are Cartan integers, so integers: {integers}."""
     found = all(
-        (2 * _inner(r, other) / _inner(r, r)).denominator == 1
-        for t in every()
-        if t.dimension <= 4
+        (2 * inner(r, other) / inner(r, r)).denominator == 1
+        for t in all_types(4)
         for r in t.roots.positive_roots.rows()
         for other in t.roots.simple_roots.rows()
     )
@@ -157,15 +144,15 @@ def which_cartan_integer(printed: Constants) -> Finding:
     )
 
 
-def _misread(arguments: tuple[str, ...]) -> tuple[Vector, Vector, Fraction, Fraction] | None:
+def _misread(arguments: tuple[str, ...]) -> tuple[Point, Point, Fraction, Fraction] | None:
     """The shortest two roots of C_2 for which the Cartan integer is not the product, with both numbers."""
     if sorted(arguments) != ["r", "r'"]:
         raise InvalidInput("a Cartan integer has the two arguments r and r'")
     positive = triangulation("C~2").roots.positive_roots.rows()
-    for r, other in sorted(product(positive, positive), key=lambda pair: sum(_inner(x, x) for x in pair)):
+    for r, other in sorted(product(positive, positive), key=lambda pair: sum(inner(x, x) for x in pair)):
         named = {"r": r, "r'": other}
         number = cartan_integer(*(named[name] for name in arguments))
-        true = 2 * _inner(r, other) / _inner(r, r)
+        true = 2 * inner(r, other) / inner(r, r)
         if number != true:
             return r, other, true, number
     return None
@@ -187,8 +174,13 @@ def _lattice_of_a(d: int) -> LatticeProof | None:
     return found if isinstance(found, LatticeProof) else None
 
 
-@claim("prop-7", "Section 6, Proposition 7", Weight.RESULT, to_prove=("prop-7.coweights",),
-    proof=("proposition_7",))
+@claim(
+    "prop-7",
+    "Section 6, Proposition 7",
+    Weight.RESULT,
+    to_prove=("prop-7.coweights",),
+    proof=("proposition_7",),
+)
 def vertices_of_a(printed: Constants) -> Finding:
     r"""For every d from {first} on the vertex set of $\tilde A_d$ is a lattice: {lattice}."""
     found = {bool(_lattice_of_a(d)) for d in range(2, 13)}

@@ -10,18 +10,19 @@ from ..errors import InvalidInput
 from ..exact import show
 from ..lattices import LatticeProof
 from ..root_lattices import Lattice
-from .appendix_a_support import told
-from .appendix_d_cases import CASES, Vector, answer, fraction, range_of
+from .appendix_d_cases import CASES, answer, fraction, range_of
 from .appendix_d_steps import NOT_A_LATTICE, register_steps
 from .claim import Constants, Finding, claim, corrected, decide, fails, holds, repaired
+from .vectors import Point
 from .vocabulary import EVERY_D, FINITE, Weight
+from .wording import told
 
 D = CASES[10]
 PART_1 = f"{D.place}, part 1"
 
 
 @lru_cache(maxsize=1)
-def corners() -> tuple[Vector, ...]:
+def corners() -> tuple[Point, ...]:
     """The points of Λ with coordinates 0 or 1/2: Λ consists of them and their translates by integers."""
     cube = product((Fraction(0), Fraction(1, 2)), repeat=4)
     return tuple(x for x in cube if sum(x).denominator == 1)
@@ -174,7 +175,7 @@ def converse_of_d4(printed: Constants) -> Finding:
     )
 
 
-def _serves(pairing: tuple[int, ...], x: Vector) -> bool:
+def _serves(pairing: tuple[int, ...], x: Point) -> bool:
     a, b, c, d = (x[n - 1] for n in pairing)
     return all(y.denominator == 1 for y in (a + b, a - b, c + d, c - d))
 
@@ -182,8 +183,13 @@ def _serves(pairing: tuple[int, ...], x: Vector) -> bool:
 # -- part 2 ------------------------------------------------------------------------------------------------
 
 
-@claim("prop-10.b", "Section 6, Proposition 10 (b)", Weight.RESULT, to_prove=("prop-10.no-vertex",),
-    proof=("proposition_10",))
+@claim(
+    "prop-10.b",
+    "Section 6, Proposition 10 (b)",
+    Weight.RESULT,
+    to_prove=("prop-10.no-vertex",),
+    proof=("proposition_10",),
+)
 def vertices_of_d(printed: Constants) -> Finding:
     r"""For every d from {first} on the vertex set of $\tilde D_d$ is a lattice: {lattice}."""
     return decide(

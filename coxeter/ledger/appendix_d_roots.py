@@ -9,8 +9,9 @@ from itertools import combinations, product
 from ..affine import CoxeterTriangulation
 from ..errors import InvalidInput
 from ..exact import RationalMatrix
-from .appendix_d_cases import Vector, number
+from .appendix_d_cases import number
 from .claim import Constants
+from .vectors import Point
 
 Twice = tuple[int, ...]
 """A vector with integer or half-integer coordinates, doubled."""
@@ -27,7 +28,7 @@ def positive_roots(t: CoxeterTriangulation) -> Roots:
 
 
 @lru_cache(maxsize=64)
-def integral_roots(t: CoxeterTriangulation, v: Vector) -> Roots:
+def integral_roots(t: CoxeterTriangulation, v: Point) -> Roots:
     """The positive roots with an integer inner product with v."""
     return _doubled(t.integral_roots(v))
 

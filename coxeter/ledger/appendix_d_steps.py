@@ -6,9 +6,8 @@ vertices, lists the roots that have an integer inner product with it, and finds 
 
 from __future__ import annotations
 
-from collections.abc import Callable
 from fractions import Fraction
-from functools import lru_cache
+from functools import lru_cache, partial
 from itertools import combinations
 from typing import Any
 
@@ -17,13 +16,14 @@ from ..exact import RationalMatrix, show
 from ..lattices import spanned_lattice
 from ..paper import prose
 from ..root_lattices import Lattice
-from .appendix_a_support import tell
-from .appendix_d_cases import Case, Vector, combination, dimensions, number, spelled, statement, witness
+from .appendix_d_cases import Case, combination, dimensions, number, spelled, statement, witness
 from .appendix_d_notes import DERIVATIONS, NOTES, RANK
 from .appendix_d_roots import Roots, integral_roots, listed, positive_roots, rank
 from .appendix_d_words import in_words
-from .claim import Check, Claim, Constants, Finding, corrected, fails, holds, register
+from .claim import Constants, Finding, claim, corrected, fails, holds
+from .vectors import Point
 from .vocabulary import EVERY_D, FINITE, Strength, Weight
+from .wording import told
 
 
 def _strength(case: Case) -> Strength:
@@ -138,13 +138,8 @@ def span(case: Case, printed: Constants) -> Finding:
     for d in dimensions(case):
         n = _space(case.at(d))
         given, space = listed(list_of_roots, d, n), listed(printed, d, n)
-        if (
-            not rank(given)
-            == rank(space)
-            == rank(given | space)
-            == number(printed["dimension"], d)
-            == len(space)
-        ):
+        ranks = {rank(given), rank(space), rank(given | space), len(space)}
+        if ranks != {number(printed["dimension"], d)}:
             return judged(id, case, False)
     return judged(id, case, True)
 
@@ -162,7 +157,7 @@ def combined(case: Case, printed: Constants) -> Finding:
     return judged(id, case, True)
 
 
-def _wrong_witness(case: Case, id: str, printed: Constants, true: Vector) -> Finding:
+def _wrong_witness(case: Case, id: str, printed: Constants, true: Point) -> Finding:
     """The combination is another vector; is the printed one perhaps no combination of vertices at all?"""
     t, v = case.first, spelled(printed["vector"], case.dimensions[0])
     finding = judged(id, case, False, witness=f"The combination is {show(true)}.")
@@ -230,21 +225,12 @@ NEEDS = {
 }
 
 
-def _constants(case: Case, step: str) -> Constants:
-    """What is printed; the vectors are recorded with the statements of the paper."""
+def _vectors(case: Case, step: str) -> Constants:
+    """What is recorded with the statements of the paper, not with its prose."""
     if step == "witness":
         s = statement(case, "combination")
         return {"terms": s.terms, "vector": s.normal}
-    if step == "no-vertex":
-        return {"vector": statement(case, "no vertex").normal, **prose()[f"{case.id}.{step}"]}
-    return prose()[f"{case.id}.{step}"]
-
-
-def _judge(check: Callable[[Case, Constants], Finding], case: Case) -> Check:
-    def judge(printed: Constants) -> Finding:
-        return tell(check(case, printed), printed)
-
-    return judge
+    return {"vector": statement(case, "no vertex").normal} if step == "no-vertex" else {}
 
 
 def _needs(case: Case, step: str) -> tuple[str, ...]:
@@ -256,17 +242,13 @@ def _needs(case: Case, step: str) -> tuple[str, ...]:
 def register_steps(case: Case, steps: tuple[str, ...]) -> None:
     """Enter the steps of a proof as claims."""
     for step in steps:
-        check, constants = CHECKS[step], _constants(case, step)
-        register(
-            Claim(
-                f"{case.id}.{step}",
-                case.place,
-                in_words(step, constants),
-                Weight.PROOF,
-                _judge(check, case),
-                constants,
-                to_state=("def-14", "def-16") if step == "criterion" else (),
-                to_prove=("cor-1",) if step == "criterion" else _needs(case, step),
-                code=f"{check.__module__}.{check.__name__}",
-            )
-        )
+        id, vectors = f"{case.id}.{step}", _vectors(case, step)
+        claim(
+            id,
+            case.place,
+            Weight.PROOF,
+            words=in_words(step, {**vectors, **prose().get(id, {})}),
+            printed=vectors,
+            to_state=("def-14", "def-16") if step == "criterion" else (),
+            to_prove=("cor-1",) if step == "criterion" else _needs(case, step),
+        )(told(partial(CHECKS[step], case)))

@@ -9,19 +9,20 @@ from ..affine import triangulation
 from ..exact import RationalMatrix, Surd, sqrt
 from ..families import evaluate
 from ..simplex import Simplex
-from .appendix_a_support import from_formula, told
+from .appendix_d_cases import fraction
 from .claim import Constants, Finding, claim, damaged, decide, holds
+from .records import formula_at
+from .vectors import Point
 from .vocabulary import EVERY_D, FINITE, Weight
+from .wording import told
 
 PLACE = "Appendix D, proof of Lemma 7"
 DIMENSIONS = range(2, 13)
 ENTRIES = {"a": "-(d + 1 - k)/(d + 1)", "b": "k/(d + 1)"}
 
-Column = tuple[Fraction, ...]
-
 
 @lru_cache(maxsize=16)
-def columns(d: int) -> tuple[Column, ...]:
+def columns(d: int) -> tuple[Point, ...]:
     """The vertices u_1 … u_d, with the signs of the paper, and the apex (1, …, 1)."""
     rows = triangulation(("A", d)).simplex.vertex_matrix.rows()[1:]
     return (*(tuple(-x for x in row) for row in rows), (Fraction(1),) * (d + 1))
@@ -31,11 +32,6 @@ def columns(d: int) -> tuple[Column, ...]:
 def pyramid_volume(d: int) -> Surd:
     """The volume of the simplex and the apex, from the Gram determinant of its edges."""
     return Simplex([(0,) * (d + 1), *columns(d)]).volume
-
-
-def fraction(text: str, d: int, k: int = 0) -> Fraction:
-    """The value of a formula."""
-    return evaluate(text, d=d, k=k).as_fraction()
 
 
 @claim("lem-7.orthogonal", PLACE, Weight.PROOF)
@@ -62,7 +58,7 @@ def matrix(printed: Constants) -> Finding:
     return decide(good, EVERY_D, "the vertices have other coordinates", why, constants={**ENTRIES, "apex": 1})
 
 
-def _column(c: Constants, d: int, k: int) -> Column:
+def _column(c: Constants, d: int, k: int) -> Point:
     if k == d + 1:
         return (Fraction(c["apex"]),) * (d + 1)
     return (fraction(c["a"], d, k),) * k + (fraction(c["b"], d, k),) * (d + 1 - k)
@@ -140,8 +136,13 @@ def norm(printed: Constants) -> Finding:
     )
 
 
-@from_formula(PLACE, "volume")
-@claim("lem-7.base", PLACE, Weight.PROOF, to_prove=("lem-7.orthogonal", "lem-7.pyramid", "lem-7.norm"))
+@claim(
+    "lem-7.base",
+    PLACE,
+    Weight.PROOF,
+    to_prove=("lem-7.orthogonal", "lem-7.pyramid", "lem-7.norm"),
+    printed=formula_at(PLACE, "volume"),
+)
 def base(printed: Constants) -> Finding:
     r"""The volume of the simplex is {factor} times that of the pyramid, divided by {height}; that makes
     {volume}."""

@@ -6,6 +6,7 @@ import inspect
 import re
 from collections.abc import Callable, Iterable, Mapping
 from dataclasses import dataclass, field, replace
+from functools import partial
 from typing import Any
 
 from ..errors import CoxeterError, InvalidInput
@@ -113,24 +114,41 @@ def claim(
     place: str,
     weight: Weight,
     *,
+    words: str = "",
+    printed: Constants | None = None,
     to_state: Iterable[str] = (),
     to_prove: Iterable[str] = (),
     proof: tuple[str, ...] = (),
 ) -> Callable[[Check], Check]:
-    """Make a check a claim: its docstring is the statement; `paper/prose` has the printed constants.
+    """Make a check a claim. The printed constants are those that `paper/prose` has for its id.
 
-    A proof that is named stands behind the finding whenever the check accepts the statement.
+    Parameters
+    ----------
+    words
+        The statement, if it is not the docstring of the check.
+    printed
+        Further constants, which are recorded elsewhere.
+    proof
+        The proof that stands behind the finding whenever the check accepts the statement.
     """
 
     def decorate(check: Check) -> Check:
-        words = " ".join(inspect.getdoc(check).split())  # type: ignore[union-attr]
-        code = f"{check.__module__}.{check.__name__}"
-        constants = prose().get(id, {})
+        text = " ".join((words or inspect.getdoc(check) or "").split())
+        constants = {**prose().get(id, {}), **(printed or {})}
         judge = _with_proof(check, proof) if proof else check
-        register(Claim(id, place, words, weight, judge, constants, tuple(to_state), tuple(to_prove), code))
+        needs = tuple(to_state), tuple(to_prove)
+        register(Claim(id, place, text, weight, judge, constants, *needs, _code(check)))
         return check
 
     return decorate
+
+
+def _code(check: Check) -> str:
+    """Where the check is written down: the function at the top of its module."""
+    function = inspect.unwrap(check)
+    if isinstance(function, partial):
+        function = function.func
+    return f"{function.__module__}.{function.__qualname__.partition('.')[0]}"
 
 
 def _with_proof(check: Check, proof: tuple[str, ...]) -> Check:

@@ -103,9 +103,7 @@ def dependencies(claim: Claim) -> tuple[str, ...]:
 def cycles(claims: Mapping[str, Claim]) -> tuple[tuple[str, ...], ...]:
     """Circles of claims that depend on one another; one is opened before the next is looked for."""
     found: list[tuple[str, ...]] = []
-    graph = {
-        id: {y for x in dependencies(claim) for y in meant(x, claims)} for id, claim in claims.items()
-    }
+    graph = {id: {y for x in dependencies(claim) for y in meant(x, claims)} for id, claim in claims.items()}
     while True:
         try:
             TopologicalSorter(graph).prepare()

@@ -4,11 +4,9 @@ from __future__ import annotations
 
 from collections.abc import Callable
 from dataclasses import replace
-from functools import lru_cache
-from typing import Any
+from functools import lru_cache, partial
 
 from ..claims.core import dimensions, simplex_of
-from ..claims.outcomes import Outcome
 from ..claims.points import (
     SIGN,
     compare_point,
@@ -18,13 +16,13 @@ from ..claims.points import (
     similarity,
     vertex_numbers,
 )
-from ..claims.runs import coordinates
-from ..exact import surd
+from ..claims.runs import Point, coordinates, numbers
 from ..errors import CoxeterError
+from ..exact import surd
 from ..names import MINIMAL_DIMENSION
 from ..paper import PrintedPoint, Runs, printed
-from .claim import Claim, Constants, Finding, corrected, damaged, holds, register
-from .records import family_words, place_id, strength_for, unique
+from .claim import Constants, Finding, claim, corrected, holds
+from .records import family_words, faulty, place_id, strength_for, unique
 from .vocabulary import Weight
 
 
@@ -34,59 +32,51 @@ def point_claims(wanted: Callable[[PrintedPoint], bool]) -> None:
     for id, p in zip(unique(map(_id, records)), records, strict=True):
         name = p.name.replace("_", " ") + (f" {p.index}" if p.index else "")
         where = f" for k from {p.first} to {p.last}" if p.first else ""
-        words = f"The {name} of the fundamental simplex of {family_words(p.family)} is ({{point}}){where}."
-        constants = {"point": p.runs} | ({"first": p.first, "last": p.last} if p.first else {})
-        weight = Weight.RESULT if p.name in ("vertex", "circumcentre", "incentre") else Weight.PROOF
-        needs = (
-            (("def-16",), (f"sec6.{p.family}.item-1",))
-            if p.name == "vertex" and p.family != "G2"
-            else ((), ())
-        )
-        register(
-            Claim(id, p.place, words, weight, _check(p), constants, *needs, code=f"{__name__}.judge_point")
-        )
+        is_vertex = p.name == "vertex" and p.family != "G2"
+        claim(
+            id,
+            p.place,
+            Weight.RESULT if p.name in ("vertex", "circumcentre", "incentre") else Weight.PROOF,
+            words=f"The {name} of the fundamental simplex of {family_words(p.family)} is ({{point}}){where}.",
+            printed={"point": p.runs} | _range(p),
+            to_state=("def-16",) if is_vertex else (),
+            to_prove=(f"sec6.{p.family}.item-1",) if is_vertex else (),
+        )(partial(judge_point, p))
+
+
+def _id(p: PrintedPoint) -> str:
+    index = p.index.replace(" ", "").replace("-", "minus")
+    name = "u" if p.name == "vertex" else p.name.replace("_", "-")
+    return f"{place_id(p.place, p.family)}.{name}" + (f"-{index}" if index else "")
+
+
+def _range(p: PrintedPoint) -> dict[str, str]:
+    """The constants of a point that stands for several."""
+    return {"first": p.first, "last": p.last} if p.first else {}
 
 
 def completeness_claims(place: str) -> None:
     """Enter a claim for each family whose vertices a place lists: that none is missing."""
     for family in dict.fromkeys(p.family for p in printed().points if p.place == place):
+        id = f"{place_id(place, family)}.complete"
         words = f"The list has all vertices of {family_words(family)}."
-        check = _complete_check(place, family)
-        code = f"{__name__}.judge_point"
-        register(Claim(f"{place_id(place, family)}.complete", place, words, Weight.RESULT, check, code=code))
+        claim(id, place, Weight.RESULT, words=words)(partial(judge_list, place, family))
 
 
-def _complete_check(place: str, family: str) -> Callable[[Constants], Finding]:
-    def check(_: Constants) -> Finding:
-        found = compare_points(printed(), lambda p: (p.place, p.family) == (place, family))
-        missing = [c for c in found if c.note == "no such vertex is printed"]
-        if missing:
-            return corrected(
-                strength_for(family), f"the list lacks {missing[0].quantity}", witness=str(missing[0].exact)
-            )
+def judge_list(place: str, family: str, _: Constants) -> Finding:
+    """The verdict on a list of vertices: whether one is missing."""
+    found = compare_points(printed(), lambda p: (p.place, p.family) == (place, family))
+    missing = [c for c in found if c.note == "no such vertex is printed"]
+    if not missing:
         return holds(strength_for(family))
-
-    return check
-
-
-def _id(p: PrintedPoint) -> str:
-    index = p.index.replace(" ", "").replace("-", "minus") if p.index else ""
-    name = "u-" + index if p.name == "vertex" else p.name.replace("_", "-") + (f"-{index}" if index else "")
-    return f"{place_id(p.place, p.family)}.{name}"
-
-
-def _check(p: PrintedPoint) -> Callable[[Constants], Finding]:
-    def check(constants: Constants) -> Finding:
-        return judge_point(p, constants)
-
-    return check
+    words = f"the list lacks {missing[0].quantity}"
+    return corrected(strength_for(family), words, witness=str(missing[0].exact))
 
 
 def judge_point(p: PrintedPoint, constants: Constants) -> Finding:
     """The verdict on a printed point, with any coordinates and range in place of the printed ones."""
-    asked = replace(
-        p, runs=constants["point"], first=constants.get("first", ""), last=constants.get("last", "")
-    )
+    first, last = constants.get("first", ""), constants.get("last", "")
+    asked = replace(p, runs=constants["point"], first=first, last=last)
     right = _is_similar(p, asked) if p.family == "G2" else _is_right(asked)
     if right and (p.label is None or constants.get("label") or asked != p):
         return holds(strength_for(p.family), proof=_proof(p))
@@ -98,11 +88,11 @@ def _proof(p: PrintedPoint) -> tuple[str, ...]:
         return ()
     if p.name.startswith("mirror"):
         return ("second_closest",)
-    by_name = {
-        "circumcentre": ("quantity", p.family, "circumradius"),
-        "incentre": ("quantity", p.family, "inradius"),
-    }
-    return by_name.get(p.name, ("vertices", p.family))
+    radius = {"circumcentre": "circumradius", "incentre": "inradius"}.get(p.name)
+    return ("quantity", p.family, radius) if radius else ("vertices", p.family)
+
+
+# -- whether a point is right -----------------------------------------------------------------------------
 
 
 G2_ORDER = (1, 2, 0)
@@ -111,10 +101,9 @@ G2_ORDER = (1, 2, 0)
 
 def _is_similar(p: PrintedPoint, asked: PrintedPoint) -> bool:
     """Whether the triangle with this corner is the core's, up to a similarity that keeps its sense."""
-    corners = [
-        asked if q.index == p.index else q for q in printed().points if (q.place, q.family) == (p.place, "G2")
-    ]
-    points = [x for x in (coordinates(q.runs, 2, 0) for q in corners) if x is not None and len(x) == 2]
+    printed_ones = [q for q in printed().points if (q.place, q.family) == (p.place, "G2")]
+    corners = [coordinates((asked if q.index == p.index else q).runs, 2, 0) for q in printed_ones]
+    points: list[Point] = [x for x in corners if x is not None and len(x) == 2]
     order, _ = similarity(points, simplex_of("G2", 2).squared_edge_lengths)
     if order != G2_ORDER:
         return False
@@ -133,73 +122,11 @@ def _is_right(p: PrintedPoint) -> bool:
 
 def _has_its_range(p: PrintedPoint) -> bool:
     """Whether a point with an index stands for all vertices that the rest of its list leaves out."""
-    low = MINIMAL_DIMENSION[p.family]
-    same = [q for q in printed().points if q.line == p.line][0]
-    return not p.first or all(
-        set(vertex_numbers(p, d)) == _numbers_left(same, d) for d in range(low, low + 6)
-    )
-
-
-@lru_cache(maxsize=512)
-def _is_right_for_every_d(p: PrintedPoint) -> bool:
-    """Compare with the vertices that are proved, class of nodes by class of nodes."""
-    from ..proofs.classical import FAMILIES, vertex
-    from ..symbolic.cases import case
-    from ..symbolic.runs import RunVector, runs, same
-
-    family = FAMILIES[p.family]
-    sign = SIGN.get(p.family, 1)
-
-    def given(index: str) -> RunVector:
-        pairs = [(x.replace("k", f"({index})"), n.replace("k", f"({index})")) for x, n in p.runs]
-        return runs(*((f"{sign}*({x})", n) for x, n in pairs))
-
-    if p.name in ("circumcentre", "incentre"):
-        return same(given("0"), getattr(family, p.name), case(f"{family.first} <= d"))
-    if p.name.startswith("mirror"):
-        return _is_mirror_vertex(p)
-    ds = range(family.first, family.first + 6)
-    wanted = {d: set(vertex_numbers(p, d)) for d in ds}
-    if not all(wanted[d] <= set(range(d + 1)) for d in ds):
-        return False
-    for nodes in family.nodes:
-        held = {d: {k for k in range(d + 1) if _node_in(nodes, k, d)} & wanted[d] for d in ds}
-        if not any(held.values()):
-            continue
-        if nodes.index == "k" and not p.first:  # one vertex of a class
-            whole = case(f"{family.first} <= d")
-            if not same(
-                given(p.index),
-                runs(*((x.replace("k", p.index), n.replace("k", p.index)) for x, n in nodes.vertex)),
-                whole,
-            ):
-                return False
-        elif not same(given(nodes.index), vertex(nodes), family.range(nodes)):
-            return False
-    return True
-
-
-def _node_in(nodes: Any, k: int, d: int) -> bool:
-    from ..proofs.simplices import node
-
-    return node(nodes.low, d=d) <= k <= node(nodes.high, d=d)
-
-
-def _is_mirror_vertex(p: PrintedPoint) -> bool:
-    """The mirror image of u_k in the facet opposite to it, for every d: u_k - s_k, and for k = 0 the highest root."""
-    from ..proofs.classical import FAMILIES, root, vertex
-    from ..symbolic.cases import case
-    from ..symbolic.polynomials import is_zero
-    from ..symbolic.runs import runs, total_of
-
-    first, rest = FAMILIES["A"].nodes
-    shift = f" + ({p.index})/(d + 1)" if p.name == "mirror_shift" else ""
-    point = runs(*((f"-(({x}){shift})", n) for x, n in p.runs))
     if not p.first:
-        whole = case("2 <= d")
-        return is_zero(total_of([point, root(first)], whole, lambda x: (x[0] - x[1]) ** 2))
-    range_ = case(f"{p.first} <= k <= {p.last}")
-    return is_zero(total_of([point, vertex(rest), root(rest)], range_, lambda x: (x[0] - x[1] + x[2]) ** 2))
+        return True
+    low = MINIMAL_DIMENSION[p.family]
+    as_printed = next(q for q in printed().points if q.line == p.line)
+    return all(set(vertex_numbers(p, d)) == _numbers_left(as_printed, d) for d in range(low, low + 6))
 
 
 @lru_cache(maxsize=64)
@@ -216,17 +143,62 @@ def _meant_family(p: PrintedPoint) -> str:
 
 
 @lru_cache(maxsize=512)
+def _is_right_for_every_d(p: PrintedPoint) -> bool:
+    """Compare with the vertices that are proved, class of nodes by class of nodes."""
+    from ..proofs.classical import FAMILIES, vector
+    from ..symbolic.cases import case
+    from ..symbolic.runs import runs, same
+
+    if p.name.startswith("mirror"):
+        return _is_mirror_vertex(p)
+    family = FAMILIES[p.family]
+    signed = tuple((f"{SIGN.get(p.family, 1)}*({x})", n) for x, n in p.runs)
+    every_d = case(f"{family.first} <= d")
+    if p.name in ("circumcentre", "incentre"):
+        return same(runs(*signed), getattr(family, p.name), every_d)
+    wanted = {d: set(vertex_numbers(p, d)) for d in range(family.first, family.first + 6)}
+    if not all(ks <= set(range(d + 1)) for d, ks in wanted.items()):
+        return False
+    for nodes in family.nodes:
+        if not any(ks & set(numbers(nodes.low, nodes.high, d)) for d, ks in wanted.items()):
+            continue
+        one_of_many = nodes.index == "k" and not p.first
+        index = f"({p.index if one_of_many else nodes.index})"
+        range_ = every_d if one_of_many else family.range(nodes)
+        if not same(vector(signed, index), vector(nodes.vertex, index), range_):
+            return False
+    return True
+
+
+def _is_mirror_vertex(p: PrintedPoint) -> bool:
+    """The mirror image of u_k in the facet opposite to it, for every d.
+
+    It is u_k - s_k, and for k = 0 the highest root.
+    """
+    from ..proofs.classical import FAMILIES, root, vertex
+    from ..symbolic.cases import case
+    from ..symbolic.polynomials import is_zero
+    from ..symbolic.runs import runs, same, total_of
+
+    first, rest = FAMILIES["A"].nodes
+    shift = f" + ({p.index})/(d + 1)" if p.name == "mirror_shift" else ""
+    point = runs(*((f"-(({x}){shift})", n) for x, n in p.runs))
+    if not p.first:
+        return same(point, root(first), case("2 <= d"))
+    range_ = case(f"{p.first} <= k <= {p.last}")
+    return is_zero(total_of([point, vertex(rest), root(rest)], range_, lambda x: (x[0] - x[1] + x[2]) ** 2))
+
+
+# -- what is wrong with it --------------------------------------------------------------------------------
+
+
+@lru_cache(maxsize=512)
 def _finding(p: PrintedPoint) -> Finding:
     comparison = compare_point(printed(), p)
-    strength = strength_for(p.family)
     true = _true_runs(p)
+    constants = {"point": true, "label": "right"} | _range(p) if true else None
     correction = f"printed {comparison.printed}; {comparison.note}"
-    constants: Constants = {"point": true, "label": "right"} if true else None  # type: ignore[assignment]
-    if constants and p.first:
-        constants = {**constants, "first": p.first, "last": p.last}
-    if comparison.outcome is Outcome.TRANSCRIPTION:
-        return damaged(strength, correction, comparison.evidence, constants=constants)
-    return corrected(strength, correction, evidence=comparison.evidence, constants=constants)
+    return faulty(strength_for(p.family), comparison, correction, constants=constants)
 
 
 def _true_runs(p: PrintedPoint) -> Runs | None:

@@ -1,17 +1,17 @@
 """Claims made from the paper's data: facets, and sentences that name a vertex, a facet or an edge.
 
-For the infinite families two routes must agree: symbolic vectors for every d, and the core in small dimensions.
+For the infinite families two routes must agree: symbolic vectors for every d, and the core in small
+dimensions.
 """
 
 from __future__ import annotations
 
 from collections.abc import Callable
 from dataclasses import replace
-from functools import lru_cache
-from typing import Any
+from functools import lru_cache, partial
+from typing import TYPE_CHECKING, Any
 
 from ..claims.core import dimensions
-from ..claims.outcomes import Outcome
 from ..claims.points import SIGN
 from ..claims.runs import coordinates, numbers
 from ..claims.statements import KINDS, compare_statement
@@ -20,9 +20,13 @@ from ..exact import surd
 from ..families import closed_form, evaluate
 from ..names import MINIMAL_DIMENSION
 from ..paper import PrintedStatement, printed
-from .claim import Claim, Constants, Equivalent, Finding, corrected, damaged, holds, register, spell
-from .records import family_words, place_id, strength_for, unique
+from .claim import Constants, Equivalent, Finding, claim, corrected, holds, spell
+from .records import family_words, faulty, place_id, strength_for, unique
 from .vocabulary import Weight
+
+if TYPE_CHECKING:
+    from ..symbolic.cases import Case
+    from ..symbolic.runs import RunVector
 
 CONSTANTS = {
     "facet": ("normal", "text"),
@@ -40,7 +44,8 @@ WORDS = {
     "distance": "From the vertex {vertex} of {family} to the facet {facet} it is {text}.",
     "minimal": "The least heights of {family} are those from the vertices {first} to {last}.",
     "longest": "In {family} the edge from vertex {first} to vertex {last} is a longest one.",
-    "level": "The normal of the facet {facet} of {family} and the point {vertex} have the inner product {text}.",
+    "level": "The normal of the facet {facet} of {family} and the point {vertex} have the inner product "
+    "{text}.",
     "product": "The normal ({normal}) and the point {vertex} of {family} have the inner product {text}.",
     "space": "The vertices of {family} are given in a space of dimension {text}.",
 }
@@ -52,41 +57,39 @@ def statement_claims(wanted: Callable[[PrintedStatement], bool]) -> None:
     """Enter a claim for each printed statement that is wanted."""
     records = [s for s in printed().statements if wanted(s) and s.kind in WORDS]
     for id, s in zip(unique(map(_id, records)), records, strict=True):
-        entries = {name: getattr(s, name) for name in CONSTANTS[s.kind] if getattr(s, name)}
-        fixed = {
-            name: getattr(s, name)
-            for name in ("facet", "vertex", "first", "last", "normal")
-            if name not in entries
-        }
-        words = WORDS[s.kind].replace("{family}", family_words(s.family))
-        for name, value in fixed.items():
-            words = words.replace(f"{{{name}}}", spell(value))
-        words += f" (k from {s.first} to {s.last})" if s.kind == "facet" and s.first else ""
-        weight = Weight.RESULT if s.kind in ("facet", "space") else Weight.PROOF
-        code = f"{__name__}.judge_statement"
-        register(Claim(id, s.place, words, weight, _check(s), entries, ("def-16",), (), code))
+        claim(
+            id,
+            s.place,
+            Weight.RESULT if s.kind in ("facet", "space") else Weight.PROOF,
+            words=_words(s),
+            printed=_constants(s),
+            to_state=("def-16",),
+        )(partial(judge_statement, s))
 
 
 def _id(s: PrintedStatement) -> str:
-    what = {"level": "inner-product", "product": "inner-product", "minimal": "least-height"}.get(
-        s.kind, s.kind
-    )
-    what += f"-{s.facet}".replace(" ", "").replace("d-", "dminus") if s.kind == "facet" else ""
-    what += f"-{s.vertex}" if s.kind in ("level", "product") else ""
-    return f"{place_id(s.place, s.family)}.{what.replace('-d - 2', '-dminus2')}"
+    what = {"level": "inner-product", "product": "inner-product", "minimal": "least-height"}
+    about = s.facet if s.kind == "facet" else s.vertex if s.kind in ("level", "product") else ""
+    index = about.replace(" ", "").replace("d-", "dminus")
+    ending = f"-{index}" if index else ""
+    return f"{place_id(s.place, s.family)}.{what.get(s.kind, s.kind)}{ending}"
 
 
-def _check(s: PrintedStatement) -> Callable[[Constants], Finding]:
-    def check(constants: Constants) -> Finding:
-        return judge_statement(s, constants)
+def _words(s: PrintedStatement) -> str:
+    """The statement; what can be moved remains to be filled in."""
+    words = WORDS[s.kind].replace("{family}", family_words(s.family))
+    for name in {"facet", "vertex", "first", "last", "normal"} - _constants(s).keys():
+        words = words.replace(f"{{{name}}}", spell(getattr(s, name)))
+    return words + (f" (k from {s.first} to {s.last})" if s.kind == "facet" and s.first else "")
 
-    return check
+
+def _constants(s: PrintedStatement) -> dict[str, Any]:
+    return {name: getattr(s, name) for name in CONSTANTS[s.kind] if getattr(s, name)}
 
 
 def judge_statement(s: PrintedStatement, constants: Constants) -> Finding:
     """The verdict on a printed statement, with any constants in place of the printed ones."""
-    moved = {name: value for name, value in constants.items() if name not in ("low", "right")}
-    asked = replace(s, **moved)
+    asked = replace(s, **{name: value for name, value in constants.items() if name != "low"})
     low = int(constants.get("low", s.low))
     if s.kind == "facet" and asked != s and _same_hyperplane(asked, s):
         raise Equivalent("a multiple of an equation says the same")
@@ -98,15 +101,16 @@ def judge_statement(s: PrintedStatement, constants: Constants) -> Finding:
 def _same_hyperplane(s: PrintedStatement, t: PrintedStatement) -> bool:
     """Whether two equations are multiples of each other."""
     d = max(dimensions(s.family)[0], 5) if s.family in MINIMAL_DIMENSION else dimensions(s.family)[0]
-    k = numbers(s.first or s.facet, s.first or s.facet, d)[0]
+    k = _number(s.first or s.facet, d)
     one, other = ((*(coordinates(x.normal, d, k) or ()), evaluate(x.text, d=d)) for x in (s, t))
     if len(one) != len(other) or not any(one):
         return False
-    return all(
-        surd(a) * y == surd(x) * b
-        for a, x in zip(one, other, strict=True)
-        for b, y in zip(one, other, strict=True)
-    )
+    pairs = [(surd(a), surd(b)) for a, b in zip(one, other, strict=True)]
+    return all(a * y == x * b for a, b in pairs for x, y in pairs)
+
+
+def _number(index: str, d: int) -> int:
+    return numbers(index, index, d)[0]
 
 
 def _proof(s: PrintedStatement) -> tuple[str, ...]:
@@ -119,6 +123,30 @@ def _proof(s: PrintedStatement) -> tuple[str, ...]:
         "longest": ("quantity", s.family, "longest_edge"),
         "level": ("position_of_circumcentre", s.family),
     }.get(s.kind, ())
+
+
+# -- what is wrong with a statement -----------------------------------------------------------------------
+
+
+@lru_cache(maxsize=256)
+def _finding(s: PrintedStatement) -> Finding:
+    comparison = compare_statement(printed(), s)
+    constants = _constants(s) | _instead(s, comparison.fails_at, comparison.exact)
+    correction = f"printed {comparison.printed}; {comparison.note}"
+    return faulty(strength_for(s.family), comparison, correction, constants=constants)
+
+
+def _instead(s: PrintedStatement, fails_at: tuple[int, ...], exact: object) -> dict[str, Any]:
+    """What to put instead: another value, or a later first dimension."""
+    ds = dimensions(s.family)
+    if len(ds) > 1 and 0 < len(fails_at) < len(ds) and fails_at == ds[: len(fails_at)]:
+        return {"low": fails_at[-1] + 1}
+    if s.kind == "distance" and s.family == "B":
+        return {"vertex": "2", "facet": "2"}
+    return {"text": str(exact)}
+
+
+# -- whether a statement is right -------------------------------------------------------------------------
 
 
 def _is_right(s: PrintedStatement, low: int) -> bool:
@@ -145,78 +173,67 @@ def _holds_in(s: PrintedStatement, d: int) -> bool:
         return False
 
 
-# -- for every d -----------------------------------------------------------------------------------------------
+def _from(first: int) -> range:
+    """So many dimensions tell formulas for indices apart: they are affine in d, and two would do."""
+    return range(first, first + 6)
 
 
-def _vectors(family: str, index: str, first: int) -> tuple[Any, Any, Any]:
+def _vectors(family: str, index: str, first: int) -> tuple[RunVector, RunVector, Case]:
     """The root and the vertex of a node, and a range in which they are told."""
     from ..proofs.classical import FAMILIES, vector
-    from ..proofs.simplices import node
     from ..symbolic.cases import case
 
     for nodes in FAMILIES[family].nodes:
-        ds = range(first, first + 6)
-        if nodes.index == "k" and index == "k":
-            return (
-                vector(nodes.root, "k"),
-                vector(nodes.vertex, "k"),
-                case(f"{nodes.low} <= k <= {nodes.high}"),
-            )
-        if index != "k" and all(
-            node(nodes.low, d=d) <= node(index, d=d) <= node(nodes.high, d=d) for d in ds
-        ):
-            at = f"({index})"
-            return vector(nodes.root, at), vector(nodes.vertex, at), case(f"{first} <= d")
+        whole_class = index == nodes.index == "k"
+        if whole_class or (index != "k" and _lies_in(index, nodes.low, nodes.high, first)):
+            range_ = case(f"{nodes.low} <= k <= {nodes.high}" if whole_class else f"{first} <= d")
+            return vector(nodes.root, f"({index})"), vector(nodes.vertex, f"({index})"), range_
     raise KeyError(index)
+
+
+def _lies_in(index: str, low: str, high: str, first: int) -> bool:
+    return all(_number(index, d) in numbers(low, high, d) for d in _from(first))
+
+
+MULTIPLES = ("1", "-1", "2", "1/2")
+"""What a printed normal may have to be multiplied by to be the root."""
 
 
 def _facet(s: PrintedStatement, first: int) -> bool:
     """The normal is a multiple of the root, and so is the value."""
-    from ..symbolic.polynomials import is_zero
-    from ..symbolic.runs import runs, total_of
+    from ..proofs.classical import FAMILIES
+    from ..symbolic.runs import runs, same
 
+    if s.first and not _has_its_range(s, first):
+        return False
+    if s.first and s.family != "A" and "k" in s.facet:  # several classes of nodes
+        last = _from(first)[-1]
+        indices = [nodes.index for nodes in FAMILIES[s.family].nodes]
+        held = [x for x in indices if x == "k" or _number(x, last) in numbers(s.first, s.last, last)]
+        return s.text == "0" and all(_is_normal(s, index, first) for index in held)
     root, _, range_ = _vectors(s.family, s.facet, first)
-    if s.first:
-        ds = range(first, first + 6)
-        others = [
-            t for t in printed().statements if (t.place, t.kind) == (s.place, s.kind) and t.line != s.line
-        ]
-        left = [set(range(d + 1)) - {numbers(t.facet, t.facet, d)[0] for t in others} for d in ds]
-        if [set(numbers(s.first, s.last, d)) for d in ds] != left:
-            return False
-        if s.family != "A" and "k" in s.facet:
-            return all(_facet_at(s, index, first) for index in _indices(s, first))
-    sign = SIGN.get(s.family, 1)
-    for factor in ("1", "-1", "1/2"):
-        normal = runs(*((f"({factor})*({sign})*({x})", n) for x, n in s.normal))
-        offset = "1" if s.facet == "0" else "0"
-        if is_zero(total_of([normal, root], range_, lambda x: (x[0] - x[1]) ** 2)):
-            return range_.equal(f"({factor})*({s.text})", offset)
-        if s.family == "C" and s.facet == "d":
-            twice = runs(*((f"2*({x})", n) for x, n in s.normal))
-            return is_zero(total_of([twice, root], range_, lambda x: (x[0] - x[1]) ** 2)) and s.text == "0"
+    for factor in MULTIPLES:
+        normal = runs(*((f"({factor})*({SIGN.get(s.family, 1)})*({x})", n) for x, n in s.normal))
+        if same(normal, root, range_):
+            return range_.equal(f"({factor})*({s.text})", "1" if s.facet == "0" else "0")
     return False
 
 
-def _indices(s: PrintedStatement, first: int) -> list[str]:
-    """The nodes among those of the family that the statement's range holds."""
-    from ..proofs.classical import FAMILIES
-    from ..proofs.simplices import node
-
-    def inside(index: str, d: int) -> bool:
-        return node(index, d=d) in numbers(s.first, s.last, d)
-
-    nodes = FAMILIES[s.family].nodes
-    return [n.index for n in nodes if n.index == "k" or inside(n.index, first + 5)]
+def _has_its_range(s: PrintedStatement, first: int) -> bool:
+    """Whether a facet with an index stands for all that the others beside it leave."""
+    beside = [t for t in printed().statements if (t.place, t.kind) == (s.place, s.kind) and t.line != s.line]
+    return all(
+        set(numbers(s.first, s.last, d)) == set(range(d + 1)) - {_number(t.facet, d) for t in beside}
+        for d in _from(first)
+    )
 
 
-def _facet_at(s: PrintedStatement, index: str, first: int) -> bool:
-    from ..symbolic.polynomials import is_zero
-    from ..symbolic.runs import runs, total_of
+def _is_normal(s: PrintedStatement, index: str, first: int) -> bool:
+    from ..proofs.classical import vector
+    from ..symbolic.runs import same
 
     root, _, range_ = _vectors(s.family, index, first)
-    normal = runs(*((x.replace("k", f"({index})"), n.replace("k", f"({index})")) for x, n in s.normal))
-    return is_zero(total_of([normal, root], range_, lambda x: (x[0] - x[1]) ** 2)) and s.text == "0"
+    return same(vector(s.normal, f"({index})"), root, range_)
 
 
 def _distance(s: PrintedStatement, first: int) -> bool:
@@ -227,16 +244,14 @@ def _distance(s: PrintedStatement, first: int) -> bool:
     _, vertex, _ = _vectors(s.family, s.vertex, first)
     level = inner(root, vertex, range_)
     level = 1 - level if s.facet == "0" else level
-    return range_.equal_value(
-        f"({s.text})**2", level**2 / inner(root, root, range_)
-    ) and not s.text.startswith("-")
+    square = level**2 / inner(root, root, range_)
+    return not s.text.startswith("-") and range_.equal_value(f"({s.text})**2", square)
 
 
 def _minimal(s: PrintedStatement, first: int) -> bool:
     from ..proofs.simplices import minimal_nodes
 
-    ds = range(first, first + 6)  # the ends are affine in d: two dimensions would do
-    return all(list(numbers(s.first, s.last, d)) == minimal_nodes(s.family, d) for d in ds)
+    return all(list(numbers(s.first, s.last, d)) == minimal_nodes(s.family, d) for d in _from(first))
 
 
 def _longest(s: PrintedStatement, first: int) -> bool:
@@ -255,7 +270,7 @@ def _level(s: PrintedStatement, first: int) -> bool:
 
     root, _, range_ = _vectors(s.family, s.facet, first)
     point = FAMILIES[s.family].circumcentre if s.vertex == "c" else _vectors(s.family, s.vertex, first)[1]
-    return bool(range_.equal_value(s.text, inner(root, point, range_)))
+    return range_.equal_value(s.text, inner(root, point, range_))
 
 
 def _space(s: PrintedStatement, first: int) -> bool:
@@ -271,25 +286,4 @@ _EVERY_D: dict[str, Callable[[PrintedStatement, int], bool]] = {
     "level": _level,
     "space": _space,
 }
-
-
-@lru_cache(maxsize=256)
-def _finding(s: PrintedStatement) -> Finding:
-    comparison = compare_statement(printed(), s)
-    strength = strength_for(s.family)
-    correction = f"printed {comparison.printed}; {comparison.note}"
-    more: dict[str, Any] = {"constants": _true_constants(s, comparison.fails_at, comparison.exact)}
-    if comparison.outcome is Outcome.TRANSCRIPTION:
-        return damaged(strength, correction, comparison.evidence, **more)
-    return corrected(strength, correction, evidence=comparison.evidence, **more)
-
-
-def _true_constants(s: PrintedStatement, fails_at: tuple[int, ...], exact: Any) -> Constants:
-    """What to put instead: another value, or a later first dimension."""
-    printed_now: dict[str, Any] = {name: getattr(s, name) for name in CONSTANTS[s.kind] if getattr(s, name)}
-    ds = dimensions(s.family)
-    if len(ds) > 1 and 0 < len(fails_at) < len(ds) and fails_at == ds[: len(fails_at)]:
-        return {**printed_now, "low": fails_at[-1] + 1}
-    if s.kind == "distance" and s.family == "B":
-        return {**printed_now, "vertex": "2", "facet": "2"}
-    return {**printed_now, "text": str(exact)}
+"""Whether a statement holds for every d from a first one on, by its kind."""

@@ -6,6 +6,7 @@ writes it. A run is held against it, so that a verdict that changes, for whateve
 
 from __future__ import annotations
 
+import hashlib
 import json
 import re
 from collections.abc import Iterable, Mapping
@@ -31,6 +32,8 @@ class Record:
         The module among `coxeter.ledger.ROOMS` that has to be imported to find the claim.
     verdict, strength, weight, correction
         In words. A correction says what is printed and what is true, so that a change of either shows.
+    about
+        A digest of the statement and of its printed constants: the verdict is on these and no others.
     """
 
     id: str
@@ -39,19 +42,26 @@ class Record:
     strength: str
     weight: str
     correction: str
+    about: str = ""
     line: int = 0
 
     def __str__(self) -> str:
         return f"{self.verdict} · {self.strength} · {self.weight}"
 
 
-COMPARED = ("verdict", "strength", "weight", "correction")
+COMPARED = ("verdict", "strength", "weight", "correction", "about")
 
 
 def record(claim: Claim, finding: Finding, room: str = "") -> Record:
     """What a finding is recorded as."""
     verdict, strength = finding.verdict.value, str(finding.strength)
-    return Record(claim.id, room, verdict, strength, claim.weight.value, finding.correction)
+    return Record(claim.id, room, verdict, strength, claim.weight.value, finding.correction, about(claim))
+
+
+def about(claim: Claim) -> str:
+    """A digest of what a claim says: its statement, and all constants that are printed in it."""
+    text = f"{claim.statement} {sorted(claim.printed.items())}"
+    return hashlib.sha256(text.encode()).hexdigest()[:12]
 
 
 def differences(expected: Record, found: Record) -> tuple[str, ...]:

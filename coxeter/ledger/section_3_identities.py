@@ -2,13 +2,13 @@
 
 from __future__ import annotations
 
-import math
 from fractions import Fraction
 from functools import lru_cache
 from itertools import combinations
 
 from ..exact import RationalMatrix, Surd, sqrt, surd
-from .section_3_samples import Lengths, Point, gram_determinant, measured
+from .section_3_samples import Lengths, gram_determinant, measured
+from .vectors import Point, mean, minus, squared
 
 RADIUS_RATIO = (
     r"Let $F_i$ be the volume of facet $i$, $F=\sum F_i$, $o$ the circumcentre and $q=\sum\frac{F_i}F v_i$, "
@@ -28,7 +28,7 @@ _MOMENTS = (
 )
 THICKNESS = (
     _MOMENTS,
-    r"The gradients $g_i$ of the barycentric coordinates have length $1/h_i$ and are the columns of "
+    "The gradients $g_i$ of the barycentric coordinates have length $1/h_i$ and are the columns of "
     r"$M^{-1}W$, where $W$ has the columns $v_i-g$; so $\sum_i "
     r"h_i^{-2}=\operatorname{tr}M^{-1}=\sum\mu_k^{-1}$.",
     r"$\frac{d+1}{h^2}\ge\sum_i h_i^{-2}=\sum\mu_k^{-1}\ge\frac{d^2}{\sum\mu_k}\ge\frac{2d}{L^2}$, so "
@@ -67,11 +67,11 @@ def _radii(sizes: Lengths, points: tuple[Point, ...]) -> bool:
     d = sizes.d
     heights = _heights(points)
     weights = [sizes.r / h for h in heights]
-    q = _mean(weights, points)
+    q = _weighted(weights, points)
     squares = [sum(((x - surd(y)) ** 2 for x, y in zip(q, p, strict=True)), Surd(0)) for p in points]
-    mean = sum((w * s for w, s in zip(weights, squares, strict=True)), Surd(0))
+    average = sum((w * s for w, s in zip(weights, squares, strict=True)), Surd(0))
     reached = all((h - sizes.r) ** 2 <= s for h, s in zip(heights, squares, strict=True))
-    return sum(weights, Surd(0)) == 1 and reached and (d * sizes.r) ** 2 <= mean <= sizes.R**2
+    return sum(weights, Surd(0)) == 1 and reached and (d * sizes.r) ** 2 <= average <= sizes.R**2
 
 
 def _heights(points: tuple[Point, ...]) -> list[Surd]:
@@ -83,26 +83,19 @@ def _squared_heights(points: tuple[Point, ...]) -> list[Fraction]:
     return [whole / gram_determinant((*points[:k], *points[k + 1 :])) for k in range(len(points))]
 
 
-def _mean(weights: list[Surd], points: tuple[Point, ...]) -> list[Surd]:
+def _weighted(weights: list[Surd], points: tuple[Point, ...]) -> list[Surd]:
     columns = zip(*points, strict=True)
     return [sum((w * x for w, x in zip(weights, c, strict=True)), Surd(0)) for c in columns]
 
 
 def _moments(points: tuple[Point, ...]) -> RationalMatrix:
-    middle = [sum(column) / len(points) for column in zip(*points, strict=True)]
-    rows = RationalMatrix.from_rows([[x - m for x, m in zip(p, middle, strict=True)] for p in points])
+    rows = RationalMatrix.from_rows([minus(p, mean(points)) for p in points])
     return rows.T @ rows
 
 
 def _traces(points: tuple[Point, ...], m: RationalMatrix) -> bool:
     """Both traces: that of M by the edges, that of its inverse by the heights."""
-    edges = sum(
-        (
-            sum(((x - y) ** 2 for x, y in zip(p, q, strict=True)), Fraction(0))
-            for p, q in combinations(points, 2)
-        ),
-        Fraction(0),
-    )
+    edges = sum((squared(p, q) for p, q in combinations(points, 2)), Fraction(0))
     inverse_heights = sum((1 / square for square in _squared_heights(points)), Fraction(0))
     return edges == len(points) * _trace(m) and inverse_heights == _trace(m.inverse())
 
@@ -115,4 +108,4 @@ def _means(sizes: Lengths, m: RationalMatrix) -> bool:
     """The means of the eigenvalues: harmonic, geometric and arithmetic, and the bound of the last by L."""
     d, arithmetic = sizes.d, _trace(m) / m.shape[0]
     harmonic = m.shape[0] / _trace(m.inverse())
-    return math.prod([harmonic] * d) <= m.det() <= arithmetic**d and arithmetic <= sizes.L**2 / 2
+    return harmonic**d <= m.det() <= arithmetic**d and arithmetic <= sizes.L**2 / 2

@@ -5,12 +5,11 @@ from __future__ import annotations
 from fractions import Fraction
 from functools import lru_cache
 
-from ..affine import triangulation
 from ..families import evaluate
-from ..names import triangulations_up_to
 from ..quality import MEASURES, PAPER_MEASURES
 from ..simplex import Simplex
 from .claim import Constants, Finding, agree, claim, corrected, fails, holds
+from .instances import all_types, is_regular, of_type
 from .section_3_identities import ASPECT_RATIO, FATNESS, RADIUS_RATIO, THICKNESS, identities
 from .section_3_samples import NAMES, greatest, measured, normalised, rivals, squeezed, values_towards_zero
 from .vocabulary import EVERY_D, INSTANCES, Weight, up_to
@@ -235,15 +234,9 @@ _RANGE = (
 @lru_cache(maxsize=1)
 def _what_singles_out_a() -> tuple[tuple[int, ...], bool]:
     """The d up to 8 for which the simplex of A~_d is regular; whether A~_d is best among Coxeter's."""
-    kinds = triangulations_up_to(8)
-    simplices = {kind: triangulation(kind).simplex for kind in kinds}
-    regular = tuple(
-        kind.rank
-        for kind, s in simplices.items()
-        if kind.letter == "A" and s.squared_longest_edge == s.squared_shortest_edge
-    )
+    regular = tuple(t.dimension for t in of_type("A", 8) if is_regular(t.simplex))
     best = all(
-        max((normalised(m, simplices[k]), k.letter == "A") for k in kinds if k.rank == d)[1]
+        max((normalised(m, t.simplex), t.type.letter == "A") for t in all_types(8) if t.dimension == d)[1]
         for m in NAMES
         for d in range(2, 9)
     )
@@ -260,10 +253,8 @@ def emphasis(printed: Constants) -> Finding:
         f"For $2\\le d\\le8$ the simplex of A~ is regular for d = {', '.join(map(str, regular))} only: about "
         "the others Theorem 5, on regular simplices, says nothing.",
         "What singles A~ out is that among the Coxeter triangulations of its dimension it is the best in "
-        "each "
-        f"measure; computed for $2\\le d\\le8$: {'yes' if best else 'no'}. That is Theorem 8 with its "
-        f"tables; "
-        "Theorem 5 only provides the yardstick.",
+        f"each measure; computed for $2\\le d\\le8$: {'yes' if best else 'no'}. That is Theorem 8 with its "
+        "tables; Theorem 5 only provides the yardstick.",
     )
     if found.verdict.accepts:
         return holds(up_to(8), *lines)

@@ -3,8 +3,7 @@
 from __future__ import annotations
 
 import math
-import random
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Iterator, Mapping
 from contextlib import suppress
 from dataclasses import dataclass
 from fractions import Fraction
@@ -14,11 +13,10 @@ from itertools import combinations, product
 from ..affine import triangulation
 from ..errors import DegenerateSimplex
 from ..exact import RationalMatrix, Surd, sqrt, surd
-from ..names import triangulations_up_to
 from ..quality import MEASURES
 from ..simplex import Simplex, regular_simplex
-
-Point = tuple[Fraction, ...]
+from .instances import all_types, near_regular, random_simplices, regular_value
+from .vectors import Point, inner, minus, point, squared
 
 NAMES = {
     "aspect ratio": "aspect_ratio",
@@ -31,7 +29,7 @@ NAMES = {
 
 def gram_determinant(points: tuple[Point, ...]) -> Fraction:
     """The Gram determinant of the edges from the first point: the squared volume, times a factorial."""
-    edges = [[x - y for x, y in zip(p, points[0], strict=True)] for p in points[1:]]
+    edges = [minus(p, points[0]) for p in points[1:]]
     if not edges:
         return Fraction(1)
     matrix = RationalMatrix.from_rows(edges)
@@ -76,23 +74,18 @@ def lengths(points: tuple[Point, ...]) -> Lengths:
     ]
     heights = [d * volume / facet for facet in facets]
     inradius = d * volume / sum(facets, Surd(0))
-    edges = [_squared(p, q) for p, q in combinations(points, 2)]
+    edges = [squared(p, q) for p, q in combinations(points, 2)]
     centre = _circumcentre(points)
     antipode = tuple(2 * c - x for c, x in zip(centre, points[0], strict=True))
-    diameter = sqrt(_squared(antipode, points[0]))
-    radius = sqrt(_squared(centre, points[-1]))
+    diameter = sqrt(squared(antipode, points[0]))
+    radius = sqrt(squared(centre, points[-1]))
     return Lengths(d, min(heights), inradius, radius, sqrt(max(edges)), volume, diameter)
-
-
-def _squared(p: Point, q: Point) -> Fraction:
-    return sum(((x - y) ** 2 for x, y in zip(p, q, strict=True)), Fraction(0))
 
 
 def _circumcentre(points: tuple[Point, ...]) -> Point:
     """The solution of the equations 2<c, v - v_0> = |v|² - |v_0|²; as many coordinates as dimensions."""
-    rows = [[2 * (x - y) for x, y in zip(p, points[0], strict=True)] for p in points[1:]]
-    zero = tuple(Fraction(0) for _ in points[0])
-    values = [[_squared(p, zero) - _squared(points[0], zero)] for p in points[1:]]
+    rows = [[2 * x for x in minus(p, points[0])] for p in points[1:]]
+    values = [[inner(p, p) - inner(points[0], points[0])] for p in points[1:]]
     solution = RationalMatrix.from_rows(rows).inverse() @ RationalMatrix.from_rows(values)
     return tuple(x for (x,) in solution.rows())
 
@@ -100,26 +93,16 @@ def _circumcentre(points: tuple[Point, ...]) -> Point:
 @lru_cache(maxsize=1)
 def measured() -> tuple[tuple[Lengths, Simplex], ...]:
     """Simplices of dimension 1 to 5 that fill their space, with their lengths by both routes."""
-    known: list[tuple[Point, ...]] = [_points([(0,), (3,)]), _points([(0, 0), (4, 0), (0, 3)])]
-    known += [_points(p) for p in ([(0, 0), (3, 0), (1, 1)], [(0, 0, 0), (1, 1, 0), (1, 0, 1), (0, 1, 1)])]
-    known += [random_points(d, d) for d in (2, 3, 4, 5) for _ in range(2)]
-    known += [triangulation(name).simplex.vertex_matrix.rows() for name in ("B~3", "C~4", "D~4")]
+    known: list[tuple[Point, ...]] = [
+        (point(0), point(3)),
+        (point(0, 0), point(4, 0), point(0, 3)),
+        (point(0, 0), point(3, 0), point(1, 1)),
+        (point(0, 0, 0), point(1, 1, 0), point(1, 0, 1), point(0, 1, 1)),
+    ]
+    drawn = [s for d in (2, 3, 4, 5) for s in random_simplices(d, 2, seed=18, size=3)]
+    drawn += [triangulation(name).simplex for name in ("B~3", "C~4", "D~4")]
+    known += [s.vertex_matrix.rows() for s in drawn]
     return tuple((lengths(p), Simplex(p)) for p in known)
-
-
-def _points(rows: Sequence[tuple[int, ...]]) -> tuple[Point, ...]:
-    return tuple(tuple(Fraction(x) for x in row) for row in rows)
-
-
-_RANDOM = random.Random(18)
-
-
-def random_points(d: int, space: int) -> tuple[Point, ...]:
-    """The vertices of a d-simplex with small integer coordinates, the same in every run."""
-    while True:
-        points = tuple(tuple(Fraction(_RANDOM.randint(-3, 3)) for _ in range(space)) for _ in range(d + 1))
-        if gram_determinant(points):
-            return points
 
 
 @lru_cache(maxsize=1)
@@ -135,30 +118,15 @@ def _rivals() -> Iterator[Simplex]:
             yield Simplex(corners)
     for d in range(1, 8):
         yield regular_simplex(d)
-        for denominator in (2, 10, 100):
-            yield _beside_regular(d, denominator)
-    for kind in triangulations_up_to(8):
-        yield triangulation(kind).simplex
-
-
-def _beside_regular(d: int, denominator: int) -> Simplex:
-    """The regular simplex, each coordinate moved by less than one over the denominator."""
-    moves = random.Random(d * denominator)
-    rows = [
-        [Fraction(int(i == j)) + Fraction(moves.randint(-2, 2), 5 * denominator) for j in range(d + 1)]
-        for i in range(d + 1)
-    ]
-    return Simplex(rows)
+        for size in (5, 25, 250):
+            yield from near_regular(d, 1, size)
+    for t in all_types(8):
+        yield t.simplex
 
 
 def normalised(measure: str, simplex: Simplex) -> Surd:
     """A measure over its value for the regular simplex, fatness without the power 1/d of the tables."""
-    return MEASURES[NAMES[measure]](simplex) / _of_regular(measure, simplex.dimension)
-
-
-@lru_cache(maxsize=64)
-def _of_regular(measure: str, d: int) -> Surd:
-    return MEASURES[NAMES[measure]](regular_simplex(d))
+    return MEASURES[NAMES[measure]](simplex) / regular_value(NAMES[measure], simplex.dimension)
 
 
 @lru_cache(maxsize=4)

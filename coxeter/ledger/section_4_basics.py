@@ -10,13 +10,16 @@ from fractions import Fraction
 from functools import lru_cache
 
 from ..affine import triangulation
+from ..exact import show
 from ..names import triangulations_up_to
 from ..simplex import Position, Simplex, position
-from .claim import Constants, Finding, agree, claim, conjecture, holds
-from .section_4_geometry import Point, circumsphere, height_vector, inner, minus, point, simplices
+from .claim import Constants, Finding, agree, claim, holds
+from .section_4_geometry import circumsphere, height_vector, simplices
 from .section_4_patches import patch, powers_in_patch
 from .section_4_planes import cut_from_the_centres, trapezoid_triangles, trapezoids
-from .vocabulary import EVERY_D, FINITE, INSTANCES, Weight
+from .vectors import Point, inner, minus, point
+from .vocabulary import EVERY_D, FINITE, Weight
+from .wording import broken
 
 SMALL = tuple(kind.affine for kind in triangulations_up_to(4))
 SMALLEST = tuple(kind.affine for kind in triangulations_up_to(3))
@@ -28,7 +31,7 @@ POWER = (
     r"$\operatorname{pow}(x)=|x-c|^2-R^2$, and $z$ for heights over $\tau$, positive on the side of "
     r"$\sigma$.",
     r"(P) $\operatorname{pow}(x)-\operatorname{pow}'(x)=2(z_{c'}-z_c)\,z(x)$ and $R'^2-R^2=z_{c'}^2-z_c^2$, "
-    r"as both centres lie on the normal through $o$, so "
+    "as both centres lie on the normal through $o$, so "
     r"$\operatorname{pow}(x)=|x-o|^2-\varrho^2-2z_c\,z(x)$.",
 )
 WALK = (
@@ -39,11 +42,6 @@ WALK = (
     r"the power of $v$ does not grow. It ends at 0, in a simplex with the vertex $v$, so it was $\ge0$ for "
     r"$\sigma$.",
 )
-
-
-def broken(what: str) -> Finding:
-    """A tool of ours does not work: no verdict."""
-    return conjecture(f"no verdict: {what}", INSTANCES)
 
 
 # -- the setting ------------------------------------------------------------------------------------------
@@ -87,8 +85,7 @@ def monohedral(printed: Constants) -> Finding:
         {"classes": classes.pop() if len(classes) == 1 else 0},
         EVERY_D,
         "A definition. Coxeter triangulations and the triangles of A~2 cut from their centres have one "
-        "class, "
-        f"the halves of trapezoids used against Lemma 4 have {several}, with the same circumradius.",
+        f"class, the halves of trapezoids used against Lemma 4 have {several}, with the same circumradius.",
     )
 
 
@@ -119,20 +116,19 @@ def finite_inapplicable(printed: Constants) -> Finding:
         return broken("a finite witness does not have the properties it should")
     return holds(
         FINITE,
-        f"The triangle {show(OBTUSE)} alone is Delaunay, monohedral and not self-centred: against Lemma 4 "
-        f"and "
-        "Theorem 6.",
-        f"The triangles {show(large)} and {show(small)} are Delaunay; the larger circle has its centre on "
-        f"the "
-        "boundary, and both triangles are protected: against Lemma 5. Theorem 7 is about infinite "
-        "triangulations.",
+        f"The triangle {show_all(OBTUSE)} alone is Delaunay, monohedral and not self-centred: against Lemma "
+        "4 and Theorem 6.",
+        f"The triangles {show_all(large)} and {show_all(small)} are Delaunay; the larger circle has its "
+        "centre on the boundary, and both triangles are protected: against Lemma 5. Theorem 7 is about "
+        "infinite triangulations.",
         "That makes four of seven. For convex domains the walks that prove Lemma 3, Corollary 2 and Lemma 6 "
         "work.",
     )
 
 
-def show(vertices: tuple[Point, ...]) -> str:
-    return "".join(f"({', '.join(map(str, v))})" for v in vertices)
+def show_all(vertices: tuple[Point, ...]) -> str:
+    """Points as text, without a word between them."""
+    return "".join(map(show, vertices))
 
 
 @claim("def-20", "Section 4, Definition 20", Weight.RESULT)
@@ -166,4 +162,5 @@ def _coordinates_are_heights() -> bool:
 
 
 def position_of(name: str) -> Position:
+    """Where the circumcentre of a Coxeter triangulation's simplices lies."""
     return position(triangulation(name).simplex.circumcentre_coordinates)

@@ -6,10 +6,11 @@ from fractions import Fraction
 from functools import lru_cache
 
 from ..affine import triangulation
+from ..exact import show
 from ..names import triangulations_up_to
 from ..simplex import Position, Simplex, position
 from .claim import Constants, Finding, agree, claim, fails, repaired
-from .section_4_basics import OBTUSE, POWER, SMALL, SMALLEST, WALK, broken, position_of, show
+from .section_4_basics import OBTUSE, POWER, SMALL, SMALLEST, WALK, position_of, show_all
 from .section_4_geometry import circumsphere, mirror_factors, power_identity_holds
 from .section_4_patches import mirror_powers, patch, powers_in_patch
 from .section_4_periodic import largest_cells
@@ -23,6 +24,7 @@ from .section_4_planes import (
     trapezoids,
 )
 from .vocabulary import EVERY_D, FINITE, Weight
+from .wording import broken
 
 LEMMA_4_PRIME = (
     *POWER,
@@ -129,14 +131,11 @@ def trapezoid_in_words() -> str:
     half = trapezoid_triangles()[found.positions.index(Position.OUTSIDE)]
     sphere = circumsphere(half)
     return (
-        f"the trapezoid {show(TRAPEZOID)}, turned by half-turns about its slanted sides and reflected in "
-        f"its "
-        "parallel sides, tiles the plane; the vertices are its corners and their translates by multiples of "
-        "4. "
-        f"Its corners lie on the empty circle with centre {show((sphere.centre,))} and "
-        f"$R^2={sphere.square}$. "
-        "A diagonal of each trapezoid makes it a Delaunay triangulation with all circumradii equal; "
-        f"the half {show(half)} does not contain the centre"
+        f"the trapezoid {show_all(TRAPEZOID)}, turned by half-turns about its slanted sides and reflected "
+        "in its parallel sides, tiles the plane; the vertices are its corners and their translates by "
+        f"multiples of 4. Its corners lie on the empty circle with centre {show(sphere.centre)} and "
+        f"$R^2={sphere.square}$. A diagonal of each trapezoid makes it a Delaunay triangulation with all "
+        f"circumradii equal; the half {show_all(half)} does not contain the centre"
     )
 
 
@@ -180,9 +179,8 @@ def lemma_4(printed: Constants) -> Finding:
             "prisms in the order of their vertices; all spheres are empty and equal, and no part of a prism "
             "over the second half contains its centre. For $d=1$ every segment contains its midpoint.",
             "A largest circumradius, which the lemma presumes, need not exist: rows of isosceles triangles "
-            "of base 1 "
-            f"and heights $1-2^{{-|n|-1}}$ have the squared radii {', '.join(map(str, growing))} …, below "
-            f"25/64.",
+            f"of base 1 and heights $1-2^{{-|n|-1}}$ have the squared radii {', '.join(map(str, growing))} "
+            "…, below 25/64.",
             *LEMMA_4_PRIME,
             f"Lemma 4′ was tried on the {len(cells)} largest empty circles of periodic sets of points at "
             f"random; {crossed} of them hold triangles that refute Lemma 4 too.",
@@ -198,9 +196,8 @@ def finite_sets(printed: Constants) -> Finding:
         printed,
         {"extends": extends},
         FINITE,
-        f"The obtuse triangle {show(OBTUSE)} is the Delaunay triangulation of its corners; its circumradius "
-        f"is "
-        "the largest, and it is not self-centred. (Nor does Lemma 4 hold for infinite sets.)",
+        f"The obtuse triangle {show_all(OBTUSE)} is the Delaunay triangulation of its corners; its "
+        "circumradius is the largest, and it is not self-centred. (Nor does Lemma 4 hold for infinite sets.)",
     )
 
 

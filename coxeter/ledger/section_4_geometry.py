@@ -16,33 +16,7 @@ from functools import cached_property, lru_cache
 from ..errors import DegenerateSimplex
 from ..exact import rational
 from ..simplex import Position, Simplex, position
-
-Point = tuple[Fraction, ...]
-
-
-def point(*coordinates: int | Fraction) -> Point:
-    """A point with exact coordinates."""
-    return tuple(Fraction(x) for x in coordinates)
-
-
-def minus(a: Point, b: Point) -> Point:
-    """The vector from b to a."""
-    return tuple(x - y for x, y in zip(a, b, strict=True))
-
-
-def along(a: Point, t: Fraction, direction: Point) -> Point:
-    """The point a + t·direction."""
-    return tuple(x + t * y for x, y in zip(a, direction, strict=True))
-
-
-def inner(a: Point, b: Point) -> Fraction:
-    """The inner product of two vectors."""
-    return sum((x * y for x, y in zip(a, b, strict=True)), Fraction(0))
-
-
-def squared(a: Point, b: Point) -> Fraction:
-    """The squared distance of two points."""
-    return inner(minus(a, b), minus(a, b))
+from .vectors import Point, along, inner, minus, point, squared
 
 
 def perpendicular(x: Point, directions: Iterable[Point]) -> Point:

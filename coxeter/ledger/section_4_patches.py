@@ -8,7 +8,8 @@ from functools import lru_cache
 from ..affine import CoxeterTriangulation, triangulation
 from ..exact import RationalMatrix
 from ..simplex import Simplex
-from .section_4_geometry import Point, along, circumsphere
+from .section_4_geometry import circumsphere
+from .vectors import Point, along
 
 
 @lru_cache(maxsize=32)

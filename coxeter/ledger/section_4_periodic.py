@@ -12,7 +12,8 @@ from itertools import combinations
 import numpy as np
 
 from ..simplex import Simplex
-from .section_4_geometry import Point, Sphere, circumsphere, point
+from .section_4_geometry import Sphere, circumsphere
+from .vectors import Point, point
 
 PERIOD = 6
 

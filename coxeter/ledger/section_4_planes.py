@@ -13,7 +13,8 @@ from typing import NamedTuple
 
 from ..affine import triangulation
 from ..simplex import Position, Simplex, position
-from .section_4_geometry import Point, along, circumsphere, minus, point, squared
+from .section_4_geometry import circumsphere
+from .vectors import Point, along, minus, point, squared
 
 Triangle = tuple[Point, ...]
 

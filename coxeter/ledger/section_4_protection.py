@@ -10,12 +10,13 @@ from ..affine import triangulation
 from ..names import Type, triangulations_up_to
 from ..simplex import Position, Simplex
 from .claim import Constants, Finding, agree, claim, repaired
-from .section_4_basics import POWER, WALK, broken, position_of
+from .section_4_basics import POWER, WALK, position_of
 from .section_4_criterion import monohedral_ones_are_delaunay
 from .section_4_geometry import boundary_pairs, power_identity_holds
 from .section_4_patches import mirror_powers, powers_in_patch
 from .section_4_planes import flattening_rows, half_turn_tilings, least_powers, where
 from .vocabulary import EVERY_D, Weight
+from .wording import broken
 
 _LEMMA_5_STEPS = ("lem-5.o-is-c", "lem-5.larger-radius", "lem-5.same-ball", "lem-5.protection-zero")
 
@@ -41,11 +42,9 @@ def lemma_5(printed: Constants) -> Finding:
         r"Let $\tau$ be a facet that contains $c$, so that $z_c=0$ and $R'^2=R^2+z_{c'}^2$ beyond it. As $R$ "
         r"is the largest, $z_{c'}=0$: both simplices have the same sphere.",
         r"The vertex of $\sigma'$ outside $\tau$ is none of $\sigma$, and its distance from the ball is 0. "
-        r"It does "
-        "not matter whether $c$ is on a face of lower dimension. For $d=1$ there is no such case.",
+        "It does not matter whether $c$ is on a face of lower dimension. For $d=1$ there is no such case.",
         f"The step was tried on {len(pairs)} pairs of simplices; in {len(flat)} Coxeter triangulations a "
-        f"mirror "
-        "vertex lies on the sphere.",
+        "mirror vertex lies on the sphere.",
     )
 
 
@@ -146,7 +145,7 @@ def strict_inequalities(printed: Constants) -> Finding:
         derivation=(
             r"With $\varepsilon_n=2^{-|n|-1}$ and $n\ge1$ the circumcentre of a triangle of row $n$ lies at "
             r"the height $z=\frac{\varepsilon_n+\varepsilon_n^2}{1+2\varepsilon_n}\le\varepsilon_n$ over its "
-            r"base, and the apex below the base has the power "
+            "base, and the apex below the base has the power "
             r"$\varepsilon_{n-1}+\varepsilon_{n-1}^2+(1+2\varepsilon_{n-1})z\le8\varepsilon_n$.",
             r"$\delta=\sqrt{R^2+\operatorname{pow}}-R\le\operatorname{pow}/2R\le\operatorname{pow}$, as "
             r"$R\ge\frac12$.",
@@ -161,15 +160,12 @@ def _strict_in_words(harmonic: tuple[Fraction, ...], powers: tuple[Fraction, ...
     """The witnesses: all circumcentres strictly inside, protection zero."""
     return (
         "cut the line at $\\pm(1+\\frac12+\\dots+\\frac1n)$ for all $n$: every segment has its midpoint "
-        "inside, and "
-        f"the protection $\\frac1{{n+1}}$ of the $n$-th ({', '.join(map(str, harmonic))}, …) tends to 0. In "
-        f"the "
-        "plane, with simplices of bounded size and shape, take rows of isosceles triangles with base 1 and, "
-        "in row $n\\in\\mathbb Z$, height $\\frac12+2^{-|n|-1}$, apexes under bases: every triangle is "
-        "acute, but the "
-        f"least powers of other vertices in the rows 0, 4, 8, 12, 16 are {', '.join(map(str, powers))}: they "
-        f"tend "
-        "to 0. So the infimum of positive distances, the protection, is 0"
+        f"inside, and the protection $\\frac1{{n+1}}$ of the $n$-th ({', '.join(map(str, harmonic))}, …) "
+        "tends to 0. In the plane, with simplices of bounded size and shape, take rows of isosceles "
+        "triangles with base 1 and, in row $n\\in\\mathbb Z$, height $\\frac12+2^{-|n|-1}$, apexes under "
+        "bases: every triangle is acute, but the least powers of other vertices in the rows 0, 4, 8, 12, 16 "
+        f"are {', '.join(map(str, powers))}: they tend to 0. So the infimum of positive distances, the "
+        "protection, is 0"
     )
 
 
@@ -190,12 +186,10 @@ def lemma_6(printed: Constants) -> Finding:
         r"other vertex has $|v-c|^2\ge R^2+4th$; so the protection is at least $\sqrt{R^2+4th}-R$. Equality "
         r"in $\tilde A_d$, where the circumcentre is the incentre",
         "strict inequalities alone do not keep an infimum over infinitely many simplices from 0: for rows of "
-        "acute "
-        f"triangles that flatten out, the least powers fall like {', '.join(map(str, powers))} …",
+        f"acute triangles that flatten out, the least powers fall like {', '.join(map(str, powers))} …",
         derivation=(
             *BOUND,
             r"For $\tilde A_d$ the bound is attained; checked exactly for $2\le d\le8$. Tilings of the plane "
-            r"by acute "
-            "triangles keep it.",
+            "by acute triangles keep it.",
         ),
     )

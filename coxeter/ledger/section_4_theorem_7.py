@@ -8,10 +8,12 @@ from ..exact import sqrt
 from ..names import Type, triangulations_up_to
 from ..simplex import Position, Simplex
 from .claim import Constants, Finding, agree, claim
-from .section_4_basics import broken, position_of
-from .section_4_geometry import Point, circumsphere, mirror_factors
+from .section_4_basics import position_of
+from .section_4_geometry import circumsphere, mirror_factors
 from .section_4_patches import mirror_powers, patch, powers_in_patch
+from .vectors import Point
 from .vocabulary import EVERY_D, Weight
+from .wording import broken
 
 MIRROR = (
     r"Let $s_k$ be the reflection in the facet opposite to $u_k$, $h_k$ the height and $\lambda_k$ the "
@@ -21,8 +23,7 @@ MIRROR = (
 _FOLDING = (
     *MIRROR,
     r"If all $\lambda_k\ge0$: each vertex $v$ outside the simplex is carried into it by reflections in "
-    r"facets "
-    "beyond which it lies, and none of them takes it away from $c$. The last that moves it carries "
+    "facets beyond which it lies, and none of them takes it away from $c$. The last that moves it carries "
     "$s_k(u_k)$ to $u_k$.",
     r"So the nearest other vertices are among the $s_k(u_k)$, and by symmetry all simplices see the same.",
 )
@@ -108,8 +109,7 @@ def theorem_7_boundary(printed: Constants) -> Finding:
         *_FOLDING,
         r"All $\lambda_k\ge0$ and one is 0: no vertex is inside the sphere, and one more is on it.",
         f"Checked with coordinates for {', '.join(k.affine for k in kinds)}. With vertices on the sphere "
-        f"allowed "
-        "this is a Delaunay triangulation, one of several of its vertex set.",
+        "allowed this is a Delaunay triangulation, one of several of its vertex set.",
     )
 
 

@@ -3,17 +3,16 @@
 from __future__ import annotations
 
 import re
-from collections.abc import Iterator
+from collections.abc import Iterable, Iterator
 from dataclasses import dataclass
 from functools import cached_property
 from itertools import combinations
 from types import MappingProxyType
 
-from ..ledger.claim import spell
 from ..ledger.selecting import families_of
 from ..ledger.vocabulary import Verdict, Weight
+from .corrections import printed, truth
 from .judged import GRAVITY, Judged, Ledger, gravest
-from .wording import shown
 
 GROUPS = MappingProxyType({
     "results": "Results people use",
@@ -23,10 +22,12 @@ GROUPS = MappingProxyType({
 })  # fmt: skip
 """The kinds of errata by the names under which a page asks for them."""
 
-POINTING = re.compile(r"has the same value|prints its rounding|computes the \w+ with it|as well: one wrong value|uses it")
+POINTING = re.compile(
+    r"has the same value|prints its rounding|computes the \w+ with it|as well: one wrong value|uses it"
+)
 """Words with which evidence says that another place has the same error."""
 
-CAUSE = re.compile(r"it is what .* would give")
+CAUSE = re.compile(r"it is (?:what .* would give|.* times the exact point)")
 TELLING = 30
 """Texts of at least so many letters do not agree by chance."""
 
@@ -73,6 +74,11 @@ class Erratum:
         return tuple(map(tuple, found.values()))
 
     @property
+    def places(self) -> str:
+        """Where it stands; what a place shares with the one before it is not repeated."""
+        return shortened(dict.fromkeys(x.claim.place for x in self.members))
+
+    @property
     def direct(self) -> tuple[str, ...]:
         """The claims that need a member, to be stated or proved."""
         ids = {x.id for x in self.members}
@@ -113,11 +119,27 @@ def _ordered(members: list[Judged], ledger: Ledger) -> tuple[Judged, ...]:
     """What others rest on first, else the gravest verdict first, else in the order of the paper."""
     ids = [x.id for x in members]
 
-    def key(x: Judged) -> tuple[int, int]:
+    def key(x: Judged) -> tuple[int, int, str]:
         below = ledger.closure([x.id], ("to_state", "to_prove"))
-        return sum(id in below for id in ids), GRAVITY.index(x.verdict)
+        in_section_6 = x.id if x.id.startswith("sec6") else ""  # there the order is that of the items
+        return sum(id in below for id in ids), GRAVITY.index(x.verdict), in_section_6
 
     return tuple(sorted(members, key=key))
+
+
+def shortened(places: Iterable[str]) -> str:
+    """Places in words.
+
+    >>> shortened(["Section 6, B~, item 5", "Section 6, B~, item 6", "Section 6, C~, item 5", "Table 2"])
+    'Section 6, B~, item 5; item 6; C~, item 5; Table 2'
+    """
+    words, before = [], [""]
+    for place in places:
+        parts = place.split(", ")
+        shared = next((n for n, (a, b) in enumerate(zip(parts, before, strict=False)) if a != b), 0)
+        words.append(", ".join(parts[shared:]))
+        before = parts
+    return "; ".join(words)
 
 
 # -- one cause ---------------------------------------------------------------------------------------------
@@ -128,7 +150,8 @@ def same_error(a: Judged, b: Judged) -> bool:
     if (a.verdict is Verdict.TRANSCRIPTION) != (b.verdict is Verdict.TRANSCRIPTION):
         return False
     if a.verdict is Verdict.TRANSCRIPTION:
-        return "." in a.id and a.id.rpartition(".")[0] == b.id.rpartition(".")[0]
+        same_place = "." in a.id and a.id.rpartition(".")[0] == b.id.rpartition(".")[0]
+        return same_place or (a.claim.words, a.finding.evidence) == (b.claim.words, b.finding.evidence)
     return (
         _one_extends(a.id, b.id)
         or _same_words(a, b)
@@ -144,7 +167,7 @@ def _one_extends(a: str, b: str) -> bool:
 
 
 def _same_words(a: Judged, b: Judged) -> bool:
-    """The same correction of the same thing, or a witness or correction that is too long to agree by chance."""
+    """The same correction of the same thing; or a witness or correction too long to agree by chance."""
     one, other = a.finding, b.finding
     last = {x.id.rpartition(".")[2] for x in (a, b)}
     if one.correction == other.correction and (len(last) == 1 and not "".join(last).isdigit()):
@@ -162,10 +185,8 @@ def _points_at(a: Judged, b: Judged) -> bool:
     """Whether the evidence for one says that the place of the other has the same error."""
     if not families_of(a.claim) & families_of(b.claim):
         return False
-    for clause in clauses(a.finding.evidence):
-        if POINTING.search(clause) and _names(clause, a, b):
-            return True
-    return False
+    pointing = (clause for clause in clauses(a.finding.evidence) if POINTING.search(clause))
+    return any(_names(clause, a, b) for clause in pointing)
 
 
 def _names(clause: str, a: Judged, b: Judged) -> bool:
@@ -174,7 +195,8 @@ def _names(clause: str, a: Judged, b: Judged) -> bool:
     if clause.startswith("Table ") or "Table 2 prints" in clause:  # a cell, or the formula above a cell
         return place in clause and (_cell_of(a, b) or _cell_of(b, a))
     if "uses it" in clause:
-        return re.search(r"\bitem \d\b", clause) is not None and place.endswith(re.search(r"\bitem \d\b", clause)[0])  # type: ignore[index]
+        item = re.search(r"\bitem \d\b", clause)
+        return item is not None and place.endswith(item[0])
     quantities = {x.id.rpartition(".")[2] for x in (a, b)}
     said = re.search(r"computes the (\w+) with it", clause)
     return place in clause and ((said[1] in quantities) if said else len(quantities) == 1)
@@ -190,32 +212,3 @@ def _cell_of(formula: Judged, cell: Judged) -> bool:
 def clauses(evidence: str) -> Iterator[str]:
     """The parts of an evidence, which stand between semicolons."""
     return (part.strip() for part in evidence.split(";"))
-
-
-# -- what is printed, and what is true ------------------------------------------------------------------------
-
-
-def printed(x: Judged) -> str:
-    """What is printed, in our words."""
-    from .wording import statement
-
-    return statement(x.claim)
-
-
-def truth(x: Judged) -> str:
-    """What is true instead, without repeating what is printed."""
-    text = x.finding.correction
-    if match := re.match(r"printed .*?; (?:true: )?(.*)", text, re.DOTALL):
-        return match[1]
-    constants = x.finding.constants or {}
-    moved = [name for name in constants if f"{_words(x, name)}" in text]
-    for name in moved:
-        value = shown(constants[name])
-        text = text.replace(_words(x, name), value if len(moved) == 1 else f"{name.replace('_', ' ')}: {value}")
-    return text
-
-
-def _words(x: Judged, name: str) -> str:
-    """The words of `coxeter.ledger.claim.agree` for a constant that is printed wrong."""
-    constants = x.finding.constants or {}
-    return f"{name.replace('_', ' ')}: printed {spell(x.claim.printed.get(name))}, true {spell(constants[name])}"

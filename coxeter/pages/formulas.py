@@ -1,4 +1,4 @@
-r"""Formulas in the library's notation, such as ``sqrt(3)/174960``, as LaTeX: as they are written, not simplified.
+r"""Formulas in the library's notation, such as ``sqrt(3)/174960``, as LaTeX: as written, not simplified.
 
 >>> latex("2**(1/2 + 1/d)/(sqrt(d)*sqrt(d + 1)**(1/d))")
 '\\frac{2^{1/2 + 1/d}}{\\sqrt{d}\\,\\sqrt{d + 1}^{1/d}}'

@@ -12,10 +12,10 @@ from .judged import Ledger
 def headline(ledger: Ledger) -> Mapping[str, int]:
     """The numbers by name.
 
-    ``checked`` is the number of claims. ``holds``, ``corrected``, ``repaired``, ``fails``, ``damaged``, ``cited`` and
-    ``open`` are the claims by verdict; ``wrong`` are those that are false as printed, by the paper's own fault, and
-    ``wrong-results`` those of them that people use. ``every-d`` and ``finite`` are the claims that are settled in all
-    cases. ``mutants`` were ``tried``, so many ``rejected``.
+    ``checked`` is the number of claims. ``holds``, ``corrected``, ``repaired``, ``fails``, ``damaged``,
+    ``cited`` and ``open`` are the claims by verdict; ``wrong`` are those that are false as printed, by the
+    paper's own fault, and ``wrong-results`` those of them that people use. ``every-d`` and ``finite`` are the
+    claims that are settled in all cases. So many ``mutants`` were tried, and so many ``rejected``.
     """
     verdicts = Counter(x.verdict for x in ledger)
     extents = Counter(x.finding.strength.extent for x in ledger)

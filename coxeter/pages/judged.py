@@ -123,7 +123,9 @@ class Ledger:
                 raise InvalidInput(self._unknown(name))
             found |= here
         if not found:
-            raise InvalidInput("no claim is named: give an id such as thm-8.delaunay, or an item such as thm-8")
+            raise InvalidInput(
+                "no claim is named: give an id such as thm-8.delaunay, or an item such as thm-8"
+            )
         return tuple(found.values())
 
     def _unknown(self, name: str) -> str:

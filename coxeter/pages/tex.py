@@ -5,22 +5,29 @@ from __future__ import annotations
 from .wording import pieces
 
 SPECIAL = {
-    "\\": r"\textbackslash{}", "{": r"\{", "}": r"\}", "$": r"\$", "&": r"\&", "#": r"\#", "%": r"\%",
-    "_": r"\_", "^": r"\textasciicircum{}", "~": r"\textasciitilde{}", "<": r"\ensuremath{<}",
-    ">": r"\ensuremath{>}", "|": r"\textbar{}", "–": "--", "—": "---", "…": r"\dots{}", "‘": "`", "’": "'",
-    "“": "``", "”": "''", "·": r"\ensuremath{\cdot}", "×": r"\ensuremath{\times}", "±": r"\ensuremath{\pm}",
-    "≤": r"\ensuremath{\leq}", "≥": r"\ensuremath{\geq}", "≠": r"\ensuremath{\neq}", "∞": r"\ensuremath{\infty}",
-    "′": r"\ensuremath{'}", "²": r"\ensuremath{^2}", "³": r"\ensuremath{^3}", "½": r"\ensuremath{\frac12}",
-    "√": r"\ensuremath{\surd}", "−": r"\ensuremath{-}", "→": r"\ensuremath{\to}", "∈": r"\ensuremath{\in}",
-    "⊂": r"\ensuremath{\subset}", "∪": r"\ensuremath{\cup}", "°": r"\ensuremath{^\circ}", "\N{NO-BREAK SPACE}": "~",
-    "é": r"\'e", "è": r"\`e", "ö": r'\"o', "ü": r'\"u', "ä": r'\"a', "\N{COMBINING TILDE}": "",
-    "∎": "", "∑": r"\ensuremath{\sum}", "⟨": r"\ensuremath{\langle}", "⟩": r"\ensuremath{\rangle}",
-    "∨": r"\ensuremath{\vee}", "∅": r"\ensuremath{\emptyset}", "≈": r"\ensuremath{\approx}", "∼": r"\ensuremath{\sim}",
+    "\\": r"\textbackslash{}", "^": r"\textasciicircum{}", "~": r"\textasciitilde{}", "|": r"\textbar{}",
+    "–": "--", "—": "---", "…": r"\dots{}", "‘": "`", "’": "'", "“": "``", "”": "''",
+    "\N{NO-BREAK SPACE}": "~", "é": r"\'e", "è": r"\`e", "ö": r'\"o', "ü": r'\"u', "ä": r'\"a',
+    "\N{COMBINING TILDE}": "", "∎": "",
+    **{x: f"\\{x}" for x in "{}$&#%_"},
 }  # fmt: skip
-GREEK = dict(zip(
-    "αβγδεζηθικλμνξπρστυφχψω", "alpha beta gamma delta varepsilon zeta eta theta iota kappa lambda mu nu xi pi rho "
-    "sigma tau upsilon varphi chi psi omega".split(), strict=True,
-)) | dict(zip("ΓΔΘΛΞΠΣΦΨΩ", "Gamma Delta Theta Lambda Xi Pi Sigma Phi Psi Omega".split(), strict=True))  # fmt: skip
+"""Letters that mean something to LaTeX, or that it does not know."""
+
+SIGNS = {
+    "<": "<", ">": ">", "·": r"\cdot", "×": r"\times", "±": r"\pm", "≤": r"\leq", "≥": r"\geq", "≠": r"\neq",
+    "∞": r"\infty", "′": "'", "²": "^2", "³": "^3", "½": r"\frac12", "√": r"\surd", "−": "-", "→": r"\to",
+    "∈": r"\in", "⊂": r"\subset", "∪": r"\cup", "°": r"^\circ", "∑": r"\sum",
+    "⟨": r"\langle", "⟩": r"\rangle",
+    "∨": r"\vee", "∅": r"\emptyset", "≈": r"\approx", "∼": r"\sim",
+}  # fmt: skip
+"""Signs of formulas that stand among words."""
+
+GREEK = (
+    "αalpha βbeta γgamma δdelta εvarepsilon ζzeta ηeta θtheta ιiota κkappa λlambda μmu νnu ξxi πpi ρrho "
+    "σsigma τtau υupsilon φvarphi χchi ψpsi ωomega "
+    "ΓGamma ΔDelta ΘTheta ΛLambda ΞXi ΠPi ΣSigma ΦPhi ΨPsi ΩOmega"
+)
+SIGNS |= {name[0]: f"\\{name[1:]}" for name in GREEK.split()}
 
 
 def to_latex(text: str) -> str:
@@ -39,12 +46,12 @@ def escape(text: str) -> str:
 
 def maths(text: str) -> str:
     """A formula in ASCII: what LaTeX has a command for is written with it."""
-    return "".join(x if x.isascii() else _letter(x).removeprefix(r"\ensuremath{").removesuffix("}") for x in text)
+    return "".join(x if x.isascii() else f"{{{SIGNS[x]}}}" if x in SIGNS else _letter(x) for x in text)
 
 
 def _letter(x: str) -> str:
-    if x in GREEK:
-        return rf"\ensuremath{{\{GREEK[x]}}}"
+    if x in SIGNS:
+        return rf"\ensuremath{{{SIGNS[x]}}}"
     if x in SPECIAL:
         return SPECIAL[x]
     return x if x.isascii() else f"[U+{ord(x):04X}]"

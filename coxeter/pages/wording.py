@@ -1,4 +1,4 @@
-"""Statements and corrections as text with formulas and names of types: read once, written as HTML or LaTeX."""
+"""Statements and corrections: text with formulas and names of types, read once, written as HTML or LaTeX."""
 
 from __future__ import annotations
 
@@ -9,6 +9,7 @@ from typing import Any, NamedTuple
 
 from ..ledger.claim import Claim, Constants, spell
 from .formulas import is_telling, latex
+from .markup import MATHS
 
 TYPE = re.compile(r"\b([A-G])~_?(?:\{(\w+)\}|(\w+)\b)?(?!\w)")
 SPACE = re.compile(r"\bR\^(?:\{([^{}]+)\}|(\w))")
@@ -28,10 +29,15 @@ class Piece(NamedTuple):
 def pieces(text: str) -> Iterator[Piece]:
     """The pieces of a text.
 
-    >>> list(pieces(r"For A~3 it is $\\sqrt2$; printed sqrt(3)/2."))
-    [Piece(kind='words', text='For '), Piece(kind='type', text='\\\\tilde{A}_{3}'), \
-Piece(kind='words', text=' it is '), Piece(kind='math', text='\\\\sqrt2'), Piece(kind='words', text='; printed '), \
-Piece(kind='math', text='\\\\frac{\\\\sqrt{3}}{2}'), Piece(kind='words', text='.')]
+    >>> for piece in pieces(r"For A~3 it is $\\sqrt2$, not sqrt(3)/2."):
+    ...     print(f"{piece.kind}: '{piece.text}'")
+    words: 'For '
+    type: '\\tilde{A}_{3}'
+    words: ' it is '
+    math: '\\sqrt2'
+    words: ', not '
+    math: '\\frac{\\sqrt{3}}{2}'
+    words: '.'
     """
     parts = text.split("$")
     if len(parts) % 2 == 0:  # a dollar that is none
@@ -81,7 +87,7 @@ def _at(text: str, position: int) -> tuple[Piece, int] | None:
 
 def _formula(run: str) -> str:
     """The longest beginning of a run of letters that is a formula; empty if there is none."""
-    ends = {len(run), *(match.start() for match in re.finditer(r"[ .]|(?<=\))", run))}
+    ends = {len(run), *(match.start() for match in re.finditer(r"[ .)]|(?<=\))", run))}
     for end in sorted(ends, reverse=True):
         text = run[:end].rstrip(" .+-*/(")
         if text and is_telling(text) and not re.fullmatch(r"\d+-\d+", text):
@@ -100,7 +106,8 @@ def statement(claim: Claim, constants: Constants | None = None) -> str:
         name = match[1]
         return shown(values[name]) if name in values else NOTHING if name in PLACES else match[0]
 
-    return re.sub(r"(?<![\\_^])\{(\w+)\}", put, claim.words)
+    text = re.sub(r"(?<![\\_^])\{(\w+)\}", put, claim.words)
+    return re.sub(r"\b([A-Za-z])\^\(\$?([^$()]+)\$?\)", r"$\1^{\2}$", text)
 
 
 NOTHING, PLACES = "[nothing is printed]", ("formula", "decimal", "point", "text", "label")
@@ -150,7 +157,7 @@ def _run_latex(x: str, n: str) -> str:
 # -- HTML -------------------------------------------------------------------------------------------------
 
 
-def to_html(text: str, maths: str = "math notranslate nohighlight") -> str:
+def to_html(text: str, maths: str = MATHS) -> str:
     """A text as HTML; the class of a formula tells the book's script for formulas to set it."""
     return "".join(_html(piece, maths) for piece in pieces(text))
 

@@ -4,7 +4,6 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 from functools import lru_cache, partial
-from math import factorial
 
 from ..exact import Exact, Surd
 from ..families import Piece, closed_form
@@ -13,9 +12,9 @@ from ..quality import find_measure
 from ..simplex import regular_simplex
 from ..symbolic.cases import case
 from ..symbolic.runs import runs, squared_distance
-from .proof import Core, Proof, Step, argument, formulas, identity, join
+from .proof import Core, Proof, Step, argument, formulas, identity, in_dimension, join
 from .simplices import circumradius, form, inradius, minimal_height, the_simplex
-from .sizes import longest_edge, volume
+from .sizes import longest_edge, parts, volume
 
 DEFINITIONS = {
     "aspect_ratio": ("({minimal_height})/(2*({circumradius}))", r"\frac{h}{2R}"),
@@ -71,51 +70,41 @@ def quantity(letter: str, name: str, claimed: tuple[Piece, ...] | None = None) -
 
 def _length(letter: str, name: str, pieces: tuple[Piece, ...]) -> Proof:
     if name == "longest_edge":
-        return longest_edge(letter, tuple((p.text, p.low, p.parity or "") for p in pieces if p.high is None))
+        return longest_edge(letter, pieces)
     prove = LENGTHS[name]
     return prove(letter, pieces[-1].text)  # type: ignore[operator, no-any-return]
 
 
 def _pieces_of(letter: str, name: str, piece: Piece) -> Iterator[Step]:
-    """The measure by its definition, then normalised, in the range of a piece."""
+    """The measure by its definition, then normalised, wherever a piece and those of the longest edge overlap."""
     measure = name.removeprefix("normalized_")
-    text = {length: _at(letter, length, piece) for length in LENGTHS}
+    words = f"the {measure.replace('_', ' ')}"
+    core = partial(_core, letter, name)
+    for part in parts(letter, piece):
+        text = {length: _at(letter, length, part) for length in LENGTHS}
+        defined, symbol, shown = _defined(measure, text, normalized=name != measure)
+        if part.high is None:
+            yield formulas(words, symbol, defined, part.text, part.low, part.parity or "", core, shown)
+        else:
+            for d in range(part.low, part.high + 1):
+                yield in_dimension(words, symbol, defined, part.text, d, core, shown)
+
+
+def _defined(measure: str, text: dict[str, str], normalized: bool) -> tuple[str, str, str]:
+    """A measure by its definition: the formula, its symbol, and how the definition is written."""
     defined, shown = DEFINITIONS[measure][0].format(**text), DEFINITIONS[measure][1]
     symbol = SYMBOLS[measure]
-    if name != measure:
-        regular = form("regular", measure)
-        defined = f"({defined})/({regular})"
-        symbol, shown = rf"\hat{symbol}", rf"\frac{{{symbol}}}{{{symbol}(\Delta)}}"
-        if measure == "fatness":
-            defined, symbol, shown = (
-                f"({defined})**(1/d)",
-                symbol + "^{1/d}",
-                rf"\left({shown}\right)^{{1/d}}",
-            )
-    core = partial(_core, letter, name)
-    low, parity = piece.low, piece.parity or ""
-    if piece.high is None:
-        yield formulas(
-            f"the {measure.replace('_', ' ')}", symbol, defined, piece.text, low, parity, core, shown
-        )
-    else:  # a single dimension: numbers
-        yield formulas(f"the {measure.replace('_', ' ')}, in dimension {low}", symbol, _fixed(defined, low),
-                       _fixed(piece.text, low), low, parity, lambda d: _core(letter, name, low), shown)  # fmt: skip
+    if not normalized:
+        return defined, symbol, shown
+    ratio, quotient = f"({defined})/({form('regular', measure)})", rf"\frac{{{symbol}}}{{{symbol}(\Delta)}}"
+    if measure != "fatness":
+        return ratio, rf"\hat{symbol}", quotient
+    return f"({ratio})**(1/d)", rf"\hat{symbol}^{{1/d}}", rf"\left({quotient}\right)^{{1/d}}"
 
 
-def _fixed(text: str, d: int) -> str:
-    """A formula at a fixed d."""
-    from ..symbolic.radicals import substitute
-
-    return substitute(text.replace("factorial(d)", str(factorial(d))), d=str(d))
-
-
-def _at(letter: str, length: str, piece: Piece) -> str:
-    """The closed form of a length in the range of a piece."""
-    for p in closed_form(letter, length).pieces:
-        if p.covers(piece.low) and (p.high is None or piece.high is not None):
-            return p.text
-    return form(letter, length)
+def _at(letter: str, length: str, part: Piece) -> str:
+    """The closed form of a length in a part, which lies within one of its pieces."""
+    return next(p.text for p in closed_form(letter, length).pieces if p.meet(part))
 
 
 @lru_cache(maxsize=512)

@@ -10,7 +10,7 @@ from collections.abc import Callable, Iterable
 from dataclasses import dataclass, field
 
 from ..errors import CoxeterError, Undecided
-from ..exact import Exact
+from ..exact import Exact, surd
 from ..families import evaluate, expression
 from ..symbolic.cases import Case, case
 from ..symbolic.polynomials import Rational, is_zero, value
@@ -194,9 +194,25 @@ def formulas(
         return len(ds)
 
     middle = show or latex(left)
-    middle = "" if middle == name else f"{middle} = "
+    middle = "" if middle in (name, latex(right)) else f"{middle} = "
     words_range = rf"d \geq {low}" + (rf",\ d \text{{ {parity}}}" if parity else "")
     return Step("formulas", words, f"{name} = {middle}{latex(right)}", words_range, "", check)
+
+
+def in_dimension(words: str, name: str, left: str, right: str, d: int, core: Core, show: str = "") -> Step:
+    """Two formulas in d have the same value in one dimension. Raises `Refuted`."""
+
+    def test(_: int) -> int:
+        values = {evaluate(left, d=d), evaluate(right, d=d), surd(core(d=d))}
+        if len(values) > 1:
+            raise ReplayFailed(f"{words}: for d = {d} there are {', '.join(sorted(map(str, values)))}")
+        return 1
+
+    if evaluate(left, d=d) != evaluate(right, d=d):
+        raise Refuted(f"{words}: for d = {d} it is {evaluate(left, d=d)}, not {evaluate(right, d=d)}")
+    value = evaluate(right, d=d).latex()
+    formula = f"{name} = {show} = {value}" if show else f"{name} = {value}"
+    return Step("formulas", words, formula, f"d = {d}", "", test)
 
 
 def tested(words: str, formula: str, range_: str, test: Callable[[int], int]) -> Step:

@@ -3,34 +3,50 @@
 from __future__ import annotations
 
 from collections.abc import Iterator
+from dataclasses import replace
+from functools import partial
 from math import prod
 
 from ..exact import Exact, Surd
-from ..families import closed_form
+from ..families import Piece, closed_form
 from ..symbolic.cases import case
 from ..symbolic.runs import squared_distance
 from .classical import FAMILIES, Classical, Pair, vertex
-from .proof import Core, Proof, Refuted, Step, argument, formulas, identity, inequality, join, tested
+from .proof import Core, Proof, Step, argument, formulas, identity, in_dimension, inequality, join
 from .simplices import form, node, the_simplex, the_triangulation
 
 # -- longest edge (item 5) ----------------------------------------------------------------------------
 
 
-def longest_edge(letter: str, claimed: tuple[tuple[str, int, str], ...] | None = None) -> Proof:
-    """No edge is longer than L, and one is as long.
-
-    `claimed` has (formula, first d, parity) for each piece of the closed form.
-    """
-    family = FAMILIES[letter]
-    pieces = claimed or tuple(
-        (p.text, p.low, p.parity or "") for p in closed_form(letter, "longest_edge").pieces if p.high is None
+def longest_edge(letter: str, claimed: tuple[Piece, ...] | None = None) -> Proof:
+    """No edge is longer than L, and one is as long."""
+    pieces = claimed or closed_form(letter, "longest_edge").pieces
+    return join(
+        rf"the longest edge of $\tilde{{{letter}}}_d$ has length $L$",
+        (step for piece in pieces for part in parts(letter, piece) for step in _on(letter, part)),
     )
-    steps: list[Step] = []
-    for text, low, parity in pieces:
-        steps += _longest_a(text, parity) if letter == "A" else _longest(family, text, low)
-    if letter == "B" and claimed is None:
-        steps.append(_longest_b3())
-    return join(rf"the longest edge of $\tilde{{{letter}}}_d$ has length $L$", steps)
+
+
+def parts(letter: str, piece: Piece) -> Iterator[Piece]:
+    """A piece cut where the formula for the longest edge changes."""
+    for own in closed_form(letter, "longest_edge").pieces:
+        if part := own.meet(piece):
+            yield replace(part, text=piece.text)
+
+
+def _on(letter: str, part: Piece) -> Iterator[Step]:
+    if part.high is not None:
+        for d in range(part.low, part.high + 1):
+            core = partial(_longest_edge, letter)
+            yield in_dimension("the longest edge, computed", "L", str(core(d)), part.text, d, core)
+    elif letter == "A":
+        yield from _longest_a(part.text, part.parity or "")
+    else:
+        yield from _longest(FAMILIES[letter], part.text, part.low)
+
+
+def _longest_edge(letter: str, d: int) -> Surd:
+    return the_simplex(letter, d).longest_edge
 
 
 def _longest(family: Classical, text: str, low: int) -> Iterator[Step]:
@@ -68,15 +84,6 @@ def _no_longer(family: Classical, pair: Pair, low: int) -> Step:
         f"the edge from $u_{{{pair.j}}}$ to $u_{{{pair.k}}}$ is no longer",
         rf"\tfrac d4 - \|u_{{{pair.j}}} - u_{{{pair.k}}}\|^2", value, range_, core=core,
     )  # fmt: skip
-
-
-def _longest_b3() -> Step:
-    def test(_: int) -> int:
-        return int(the_simplex("B", 3).longest_edge == 1)
-
-    if not test(3):
-        raise Refuted("the longest edge of B~3 is not 1")
-    return tested("in dimension 3 the edge from $u_0$ to $u_1$ is the longest", "L = 1", "d = 3", test)
 
 
 def _longest_a(text: str, parity: str) -> Iterator[Step]:

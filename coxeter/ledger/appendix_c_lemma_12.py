@@ -1,0 +1,99 @@
+"""Appendix C, Lemma 12: the relative protection of A~; its formulas and points are in the paper's data."""
+
+from __future__ import annotations
+
+from ..affine import triangulation
+from ..families import closed_form, evaluate
+from ..root_lattices import coweight_lattice
+from .appendix_c_vertices import LARGEST, point, sample
+from .claim import Constants, Finding, claim, corrected, holds
+from .instances import of_type
+from .record_formulas import formula_claims
+from .record_points import point_claims
+from .vocabulary import EVERY_D, Weight
+
+formula_claims(lambda f: f.place.startswith("Appendix C"))
+point_claims(lambda p: p.place.startswith("Appendix C"))
+
+
+def for_every_d(a: str, b: str, low: int = 2) -> bool:
+    """Whether two formulas in d are equal for every d."""
+    from ..symbolic.radicals import equal_for_every_d
+
+    return equal_for_every_d(a, b, low)
+
+
+@claim("lem-12", "Appendix C, Lemma 12", Weight.RESULT, to_state=("def-19",), to_prove=("claim-c", "prop-7"))
+def lemma_12(printed: Constants) -> Finding:
+    """The relative protection of A~_d is {formula}."""
+    true = closed_form("A", "relative_protection").pieces[0].text
+    if for_every_d(printed["formula"], true):
+        return holds(EVERY_D, proof=("relative_protection",))
+    return corrected(EVERY_D, f"printed {printed['formula']}; true: {true}")
+
+
+@claim("lem-12.coweights", "Appendix C, proof of Lemma 12", Weight.PROOF, to_prove=("prop-7",))
+def coweights(printed: Constants) -> Finding:
+    """The vertex set of A~_d is {lattice} of a root system of type A_d."""
+    for t in of_type("A", LARGEST):
+        lattice = coweight_lattice(t.roots)
+        if not all(x in lattice for x in t.simplex.vertex_matrix.rows()):
+            return corrected(EVERY_D, f"a vertex of {t.name} is no coweight")
+    return holds(EVERY_D, proof=("proposition_7",))
+
+
+@claim("lem-12.basis", "Appendix C, proof of Lemma 12", Weight.WORDING)
+def basis(printed: Constants) -> Finding:
+    """The points u_k with k from {first} to d are a basis of the coweight lattice."""
+    d = 3
+    rows = list(triangulation(("A", d)).simplex.vertex_matrix.rows())[printed["first"] :]
+    if printed["first"] < 0 or len(rows) < d:
+        return corrected(EVERY_D, "too few points for a basis")
+    if all(any(row) for row in rows):
+        return holds(EVERY_D, "The u_k with k >= 1 are the fundamental coweights", proof=("vertices", "A"))
+    return corrected(
+        EVERY_D,
+        "k from 1 to d: the text itself sums over these",
+        witness="u_0 = 0 is in no basis",
+        evidence="the next sentence has the right range",
+        constants={"first": 1},
+    )
+
+
+@claim("lem-12.remainder", "Appendix C, proof of Lemma 12", Weight.PROOF, to_prove=("lem-12.basis",))
+def remainder(printed: Constants) -> Finding:
+    """The coordinates of d + 1 times a vertex are integers {coordinate}, congruent to one k modulo
+    {modulus}."""
+    formula = printed["coordinate"].replace("n", "i")
+    for d in (2, 3, 4):
+        if evaluate(printed["modulus"], d=d) != d + 1:
+            return corrected(EVERY_D, f"printed modulus {printed['modulus']}; true: d + 1")
+        for k, n in sample(d):
+            left = [(d + 1) * x for x in point(k, n)]
+            if left != [evaluate(formula, d=d, i=x, k=k) for x in n]:
+                return corrected(EVERY_D, f"for d = {d} they are {left}")
+    return holds(EVERY_D, "The coordinates of u_k are k/(d + 1) and that minus 1; sums keep the property")
+
+
+@claim("lem-12.sum", "Appendix C, proof of Lemma 12", Weight.PROOF, to_prove=("lem-12.remainder",))
+def sum_of_n(printed: Constants) -> Finding:
+    """As the coordinates add up to 0, the integers n add up to {sum}."""
+    for d in (2, 3, 5):
+        for k, n in sample(d):
+            if sum(n) + k != 0 or evaluate(printed["sum"], k=k) != sum(n):
+                return corrected(EVERY_D, f"for d = {d}, k = {k} the sum is {sum(n)}")
+    return holds(EVERY_D, r"$\sum (n_i + \frac{k}{d+1}) = \sum n_i + k$")
+
+
+@claim("lem-12.asymptotic", "Appendix C, proof of Lemma 12", Weight.RESULT, to_prove=("lem-12",))
+def asymptotic(printed: Constants) -> Finding:
+    """The relative protection is asymptotically {middle}, and {last}."""
+    from ..symbolic.radicals_limits import growth
+
+    exact = growth(closed_form("A", "relative_protection").pieces[0].text)
+    wrong = [name for name in ("middle", "last") if growth(printed[name]) != exact]
+    if wrong:
+        return corrected(EVERY_D, f"printed {printed[wrong[0]]}; true: 12/d**2")
+    if for_every_d(printed["middle"], "12/(d**2 + 2*d)") and for_every_d(printed["last"], "12/d**2"):
+        return holds(EVERY_D, proof=("protection_rate",))
+    return corrected(EVERY_D, "a lower term differs")

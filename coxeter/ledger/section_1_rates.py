@@ -1,0 +1,153 @@
+"""How fast quality and protection fall with d: what the abstract and Sections 1.1 and 1.4 say of it."""
+
+from __future__ import annotations
+
+from fractions import Fraction
+from functools import lru_cache
+
+from ..delaunay import protection
+from ..errors import CoxeterError
+from ..families import closed_form
+from ..quality import PAPER_MEASURES
+from .claim import Constants, Finding, agree
+from .instances import all_types, of_type
+from .vocabulary import EVERY_D
+from .wording import explained
+
+MEASURES = tuple(known.name for known in PAPER_MEASURES)
+
+
+# -- quality ----------------------------------------------------------------------------------------------
+
+
+@lru_cache(maxsize=1)
+def _within_band() -> bool:
+    """Whether d·κ² lies in [1/2, 8) for all normalised measures of the four families up to d = 16."""
+    values = (
+        d * closed_form(family, f"normalized_{m}").at(d) ** 2
+        for family in "ABCD"
+        for m in MEASURES
+        for d in range({"B": 3, "D": 4}.get(family, 2), 17)
+    )
+    return all(2 * x >= 1 and x < 8 for x in values)
+
+
+_QUALITY = (
+    "For every d and every normalised measure $\\hat\\kappa$ of the four families (fatness to the power "
+    "1/d) $\\tfrac12\\le d\\,\\hat\\kappa^2<8$, so it is of the exact order $1/\\sqrt d$. By the closed "
+    "forms:",
+    "$\\tilde A_d$: $d\\hat\\alpha^2=d\\hat\\rho^2=\\frac{6d^2}{(d+1)(d+2)}$; "
+    "$d\\hat\\theta^2=\\frac{4d^2}{(d+1)^2}$ or $\\frac{4d}{d+2}$; fatness $\\frac{8d}{(d+1)^{1+2/d}}$ or "
+    "$\\frac{8(d+1)^{1-2/d}}{d+2}$, and $1\\le(d+1)^{2/d}\\le3$.",
+    "$\\tilde B_d,\\tilde C_d,\\tilde D_d$: $d\\hat\\theta^2=\\frac d{d+1}$; "
+    "$d\\hat\\alpha^2=\\frac{2d^3}{(d+1)^2(d+c)}$ with c = 2, 0, 4; fatness $2\\,(c/(d+1))^{1/d}$ with c = "
+    "4, 1, 16; the radius ratio likewise. For $\\tilde B_3$ thickness and fatness are $\\frac9{16}$ and "
+    "$\\frac32$.",
+    "Limits of $\\sqrt d\\,\\hat\\kappa$ for fatness, aspect ratio, thickness, radius ratio: "
+    "$2\\sqrt2,\\sqrt6,2,\\sqrt6$ for $\\tilde A$; $\\sqrt2,\\sqrt2,1,\\sqrt2$ for the others.",
+    "Computed: the band for all d up to 16, and the decay from d = 64 to d = 1024.",
+)
+
+
+def _exponent(form: str, family: str) -> Fraction | None:
+    """The half-integer e for which a closed form behaves like d^e, from d = 64 to d = 1024; else None."""
+    low, high = (closed_form(family, form).at(d) for d in (64, 1024))
+    if form == "fatness":
+        low, high = low.root(64), high.root(1024)
+    for twice in range(5):
+        scaled = high * 4**twice
+        if 2 * low < 3 * scaled and 2 * scaled < 3 * low:
+            return Fraction(-twice, 2)
+    return None
+
+
+@lru_cache(maxsize=2)
+def exponents(prefix: str = "normalized_") -> dict[str, Fraction | None]:
+    """The exponent of each measure in the four families, None if it is not the same in all."""
+    by_measure = {m: {_exponent(prefix + m, family) for family in "ABCD"} for m in MEASURES}
+    return {m: found.pop() if len(found) == 1 else None for m, found in by_measure.items()}
+
+
+def quality_exponent() -> str:
+    """That of all normalised measures in all four families."""
+    (common,) = set(exponents().values())
+    return str(common)
+
+
+def judge_quality(printed: Constants, **more: object) -> Finding:
+    """Judge a statement on the order of the normalised measures."""
+    true = {"bound": "Theta" if _within_band() else "O", "exponent": quality_exponent(), **more}
+    return agree(printed, true, EVERY_D, *_QUALITY)
+
+
+ONLY_UPPER = (
+    "O gives an upper bound, which any bad triangulation satisfies. What is meant, and true, is that "
+    "quality is of the exact order: it lies between $\\frac1{\\sqrt{2d}}$ and $\\frac{\\sqrt8}{\\sqrt d}$"
+)
+
+
+# -- protection -------------------------------------------------------------------------------------------
+
+
+def protection_exponent() -> str:
+    """That of the relative protection of A~."""
+    return str(_exponent("relative_protection", "A"))
+
+
+def judge_protection(printed: Constants, **more: object) -> Finding:
+    """Judge a statement on the order of the protection of A~."""
+    finding = agree(
+        printed, {"bound": "Theta", "exponent": protection_exponent(), **more}, EVERY_D,
+        "$\\hat\\delta=\\sqrt{1+x}-1$ with $x=\\frac{24}{d(d+2)}$, as the nearest other vertices are at "
+        "squared distance $R^2+\\frac2{d+1}$ from the circumcentre and $R^2=\\frac{d(d+2)}{12(d+1)}$.",
+        "R, the greatest distance of a point from the vertices, is the ε of the net that they are.",
+        "$\\frac x2-\\frac{x^2}8<\\sqrt{1+x}-1<\\frac x2$ for $x>0$, so $d^2\\,\\hat\\delta\\to12$.",
+        "Computed: the formula against the nearest vertices up to d = 12, and its decay from d = 64 to d = "
+        "1024.",
+    )  # fmt: skip
+    return explained(
+        finding,
+        "A small upper bound is no merit of a protection. What is meant, and true, is the exact order: "
+        "$d^2\\,\\hat\\delta\\to12$ for the relative protection $\\hat\\delta=\\delta/R$",
+    )
+
+
+@lru_cache(maxsize=1)
+def formula_is_protection() -> bool:
+    """Whether the closed form is what the core computes for A~ up to d = 12."""
+    form = closed_form("A", "relative_protection")
+    return all(protection(t).relative == form.at(t.dimension) for t in of_type("A", 12))
+
+
+@lru_cache(maxsize=1)
+def protected_families() -> tuple[str, ...]:
+    """The families with a protected triangulation up to d = 12."""
+    return tuple(sorted({t.type.family for t in all_types(12) if protection(t)}))
+
+
+# -- the conjectures --------------------------------------------------------------------------------------
+
+
+@lru_cache(maxsize=1)
+def a_is_best() -> bool:
+    """Whether A~ has the highest normalised measures, each in each dimension up to 8, and the highest
+    protection."""
+    best = True
+    for d in range(2, 9):
+        a, *others = [t for t in all_types(8) if t.dimension == d]
+        best &= all(known(t.simplex) < known(a.simplex) for known in PAPER_MEASURES for t in others)
+        best &= all(protection(t).relative < protection(a).relative for t in others)
+    return best
+
+
+def comparison(what: str) -> str:
+    """What was tried on a conjecture."""
+    if not a_is_best():
+        raise CoxeterError("another Coxeter triangulation is better than that of type A")
+    tried = {
+        "quality": "that of type A is strictly the best for all four measures",
+        "protection": "that of type A is the only protected one",
+    }
+    found = ", and ".join(tried[word] for word in what.split(", "))
+    plane = " In the plane its triangles are regular, so none are better." if "quality" in what else ""
+    return f"Among Coxeter triangulations up to d = 8 {found}.{plane} Others were not searched."

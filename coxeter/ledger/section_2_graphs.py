@@ -1,0 +1,230 @@
+"""Section 2.1: graphs, their forms and what these generate."""
+
+from __future__ import annotations
+
+from fractions import Fraction
+from functools import lru_cache
+
+import numpy as np
+
+from .. import diagrams
+from ..affine import affine_reflection
+from ..errors import CoxeterError, InvalidInput
+from .claim import Constants, Finding, agree, cited, claim, fails
+from .instances import systems
+from .section_2_groups import generated, reflection_matrix, simple_reflections
+from .section_2_trees import family_of, is_definite, names_of_trees, small_graphs
+from .vocabulary import EVERY_D, LITERATURE, Weight
+from .wording import explained, quoted
+
+RESULT, WORDING = Weight.RESULT, Weight.WORDING
+
+
+@claim("sec2.adjacency", "Section 2.1", WORDING)
+def adjacency(printed: Constants) -> Finding:
+    """The symmetric matrix of a graph with {joined} for nodes that are joined and {not_joined} for others
+    is called its {name}."""
+    import networkx as nx
+
+    path = nx.path_graph(3)
+    entries = nx.to_numpy_array(path, dtype=np.int64)
+    incidence = (len(path), path.number_of_edges())
+    name = "incidence matrix" if incidence == entries.shape else "adjacency matrix"
+    finding = agree(
+        printed, {"name": name, "joined": int(entries[0, 1]), "not_joined": int(entries[0, 2])}, EVERY_D,
+        f"For a path of three nodes it is of shape {entries.shape}; the incidence matrix, with a row for "
+        f"each node and a column for each edge, is of shape {incidence}.",
+    )  # fmt: skip
+    return explained(finding, "An incidence matrix has a column for each edge; nothing else is affected")
+
+
+@claim("def-2", "Section 2.1, Definition 2", WORDING, to_state=["sec2.adjacency"])
+def cartan_matrix_of_graph(printed: Constants) -> Finding:
+    """The Cartan matrix of a graph has {diagonal} on the diagonal, {joined} for joined nodes, and else 0."""
+    found: dict[str, set[Fraction]] = {"diagonal": set(), "joined": set()}
+    for system in systems(8, "ADE"):
+        gram = system.simple_roots @ system.simple_roots.T
+        graph = diagrams.coxeter_diagram(system)
+        found["diagonal"] |= {gram[i, i] for i in range(system.rank)}
+        found["joined"] |= {gram[i - 1, j - 1] for i, j in graph.edges}
+    true = {name: int(values.pop()) for name, values in found.items() if len(values) == 1}
+    return agree(
+        printed, true, EVERY_D,
+        "A definition: $C=2I-A$. The simple roots of $A_d,D_d,E_6,E_7,E_8$ in Theorem 3 have these inner "
+        "products; computed up to rank 8.",
+    )  # fmt: skip
+
+
+@claim("def-2.form", "Section 2.1", WORDING, to_state=["def-2"])
+def form_of_graph(printed: Constants) -> Finding:
+    """Cartan matrices of graphs are symmetric, so each gives a symmetric bilinear form."""
+    true = all((c == c.T).all() for c in map(diagrams.cartan_matrix, small_graphs()))
+    return agree(
+        printed, {"symmetric": bool(true)}, EVERY_D, "A node is joined to its neighbours, and they to it."
+    )
+
+
+@claim("sec2.non-euclidean", "Section 2, introduction", WORDING, to_state=["def-2.form"])
+def non_euclidean(printed: Constants) -> Finding:
+    """A positive definite Cartan matrix defines an inner product other than the standard one."""
+    standard = any(
+        (diagrams.cartan_matrix(g) == np.eye(len(g), dtype=np.int64)).all() for g in small_graphs()
+    )
+    return agree(
+        printed, {"standard": bool(standard)}, EVERY_D,
+        "$\\langle e_i,e_i\\rangle_C=2$. (\"Non-Euclidean\" is meant so; with an inner product the space "
+        "is a Euclidean one, as Proposition 2 says.)",
+    )  # fmt: skip
+
+
+@lru_cache(maxsize=8)
+def _is_reflection(coefficient: int) -> bool:
+    """Whether the maps with a coefficient keep the forms of all small definite graphs, and are
+    involutions."""
+    for c in filter(is_definite, map(diagrams.cartan_matrix, small_graphs())):
+        for i in range(len(c)):
+            m = reflection_matrix(c, i, coefficient)
+            if (m.T @ c @ m != c).any() or (m @ m != np.eye(len(c), dtype=np.int64)).any():
+                return False
+    return True
+
+
+@claim("sec2.sigma", "Section 2.1", RESULT, to_state=["def-2.form"])
+def sigma(printed: Constants) -> Finding:
+    """The map that takes away from x its product with $e_i$, times {coefficient}, times $e_i$, is the
+    reflection in the hyperplane orthogonal to $e_i$, if the form is positive definite."""
+    true = {c for c in range(-3, 4) if c and _is_reflection(c)}
+    return agree(
+        printed, {"coefficient": min(true)}, EVERY_D,
+        "$\\sigma_i(e_i)=e_i-2e_i=-e_i$ as $c_{ii}=2$, and $\\sigma_i$ fixes all x with $\\langle "
+        "x,e_i\\rangle_C=0$.",
+        "Computed for the connected graphs with up to five nodes: it keeps the form, and its square is the "
+        "identity.",
+    )  # fmt: skip
+
+
+@claim("def-3", "Section 2.1, Definition 3", WORDING, to_state=["sec2.sigma"])
+def weyl_group_of_graph(printed: Constants) -> Finding:
+    """The Weyl group of a graph is generated by the invertible maps $\\sigma_i$; the roots are the images
+    of the $e_i$."""
+    true = all(
+        (m @ m == np.eye(len(c), dtype=np.int64)).all()
+        for c in map(diagrams.cartan_matrix, small_graphs())
+        for m in simple_reflections(c)
+    )
+    return agree(
+        printed, {"invertible": bool(true)}, EVERY_D,
+        "A definition. Each $\\sigma_i$ is its own inverse, for any graph, definite or not, since "
+        "$c_{ii}=2$.",
+    )  # fmt: skip
+
+
+def _roots_of(cartan: np.ndarray, limit: int) -> set[tuple[int, ...]]:
+    """The roots of a graph, or the first of them, more than the limit."""
+    fresh = {tuple(int(x) for x in row) for row in np.eye(len(cartan), dtype=np.int64)}
+    found = set(fresh)
+    while fresh and len(found) <= limit:
+        images = ((i, r, int(cartan[i] @ r)) for r in fresh for i in range(len(cartan)))
+        fresh = {(*r[:i], r[i] - x, *r[i + 1 :]) for i, r, x in images} - found
+        found |= fresh
+    return found
+
+
+@lru_cache(maxsize=1)
+def _theorem_1() -> bool:
+    """Whether definite graphs with up to five nodes have finitely many roots and a finite group, and others
+    not."""
+    for cartan in map(diagrams.cartan_matrix, small_graphs()):
+        definite, roots = is_definite(cartan), _roots_of(cartan, 200)
+        if definite != (len(roots) <= 200) or (definite and not generated(simple_reflections(cartan))):
+            return False
+    return True
+
+
+@claim("thm-1", "Section 2.1, Theorem 1", RESULT, to_state=["def-2.form", "def-3"])
+def theorem_1(printed: Constants) -> Finding:
+    """For a connected graph it is the same that the form is positive definite, that there are finitely many
+    roots, and that the Weyl group is finite."""
+    return quoted(
+        agree(
+            printed, {"equivalent": _theorem_1()}, LITERATURE,
+            "Roots and group are finite together: the roots are the images of d vectors, and as they "
+            "contain a basis the group acts faithfully on them. A finite group keeps an inner product; "
+            "that it is the form itself, up to a factor, and the converse, is Theorem 6.4 of Humphreys "
+            "(the paper names Section 1.3).",
+        ),
+        "Humphreys, Section 6.4.",
+        f"All {len(small_graphs())} connected graphs with up to five nodes: the definite ones have at "
+        "most 40 roots and a group that was multiplied out, the others more than 200 roots.",
+    )  # fmt: skip
+
+
+@lru_cache(maxsize=1)
+def _orders() -> tuple[tuple[str, int, int], ...]:
+    """Type, order of the group and number of roots, for graphs with a positive definite form."""
+    return tuple(
+        (s.name, s.weyl_group_order, 2 * len(s.positive_root_coordinates)) for s in systems(8, "ADE")
+    )
+
+
+@claim("prop-1", "Section 2.1, Proposition 1", RESULT, to_state=["def-3"])
+def proposition_1(printed: Constants) -> Finding:
+    """For a graph with positive definite form the Weyl group acts simply transitively on this:
+    {acts_simply_transitively_on}."""
+    root, mirror = (1, -1, 0, 0), (0, 0, 1, -1)
+    fixed = affine_reflection(mirror, 0, root) == tuple(map(Fraction, root))
+    agreeing = [name for name, order, count in _orders() if order == count]
+    name, order, count = next(row for row in _orders() if row[1] != row[2])
+    true, said = "sets of simple roots", printed["acts_simply_transitively_on"]
+    if said == true:
+        return cited("Humphreys, Section 1.8.", "See Lemma 1.")
+    if said != "roots" or not fixed:
+        raise InvalidInput(f"it is not known how the group acts on {said}: give 'roots' or {true!r}")
+    return fails(
+        EVERY_D,
+        f"In {name} the group has {order} elements and there are {count} roots: the reflection in "
+        "$e_3-e_4$ fixes the root $e_1-e_2$.",
+        "The group acts simply transitively on the sets of simple roots, which is what the source proves "
+        "(Lemma 1). On the roots it acts transitively, and simply transitively only for "
+        f"{' and '.join(agreeing)}.",
+        constants={"acts_simply_transitively_on": true},
+        derivation=(
+            "Transitive: $\\sigma_i\\sigma_j(e_i)=e_j$ for joined nodes, and the graph is connected.",
+            "Simply transitive would mean that only the identity fixes a root. But $\\sigma_i$ fixes $e_j$ "
+            "for two nodes that are not joined, and a connected graph without two such nodes has all nodes "
+            "joined, hence one or two of them: three make a triangle, which is not definite.",
+            "Orders and numbers of roots: "
+            + ", ".join(f"{n} {a} and {b}" for n, a, b in _orders()[:4])
+            + ", …",
+        ),
+    )
+
+
+@lru_cache(maxsize=1)
+def _definite_families() -> tuple[str, ...]:
+    """The families of the definite trees with up to nine nodes; every graph with a cycle must be
+    indefinite."""
+    import networkx as nx
+
+    for g in small_graphs():
+        if not nx.is_tree(g) and is_definite(diagrams.cartan_matrix(g)):
+            raise CoxeterError("a graph with a cycle has a positive definite form")
+    return tuple(sorted({family_of(name) for name in names_of_trees(9, (3,))[1]}))
+
+
+@claim("sec2.definite-graphs", "Section 2.1", RESULT, to_state=["def-2.form"])
+def definite_graphs(printed: Constants) -> Finding:
+    """The connected graphs with a positive definite form are those of the families {types}."""
+    return agree(
+        printed, {"types": _definite_families()}, EVERY_D,
+        "If x has coordinates $\\ge0$ and form 0 on a graph, then on each connected graph that contains it "
+        "the form of x is at most 0, as more edges only lower it. Such x exist for a cycle (all 1), for a "
+        "node with four neighbours (2, and 1 four times), for a path with two more nodes at each end (2 "
+        "along the path, 1 at the four ends): $\\tilde A$, $\\tilde D$. So a definite graph is a tree with "
+        "at most one node of degree three, or a path.",
+        "Let its arms have p ≤ q ≤ r nodes. Likewise $\\tilde E_6$, $\\tilde E_7$, $\\tilde E_8$ exclude "
+        "(2, 2, 2), (1, 3, 3) and (1, 2, 5), so it is (1, 1, r), that is $D_d$, or (1, 2, r) with r ≤ 4. "
+        "These are definite, by the determinants of their Cartan matrices, d + 1 for $A_d$, 4 for $D_d$, 9 "
+        "- d for $E_d$.",
+        "Computed: all trees with up to nine nodes, all connected graphs with up to five.",
+    )  # fmt: skip

@@ -1,0 +1,37 @@
+"""What is printed, and what is true instead, side by side."""
+
+from __future__ import annotations
+
+import re
+
+from ..ledger.claim import spell
+from .judged import Judged
+from .wording import shown, statement
+
+
+def printed(x: Judged) -> str:
+    """What is printed, in our words."""
+    return statement(x.claim)
+
+
+def truth(x: Judged) -> str:
+    """What is true instead, without repeating what is printed."""
+    text = x.finding.correction
+    if match := re.match(r"printed .*?( in the column of d = \d)?; (?:true: )?(.*)", text, re.DOTALL):
+        return match[2] + (f", printed{match[1]}" if match[1] else "")
+    constants = x.finding.constants or {}
+    moved = [name for name in constants if f"{_words(x, name)}" in text]
+    for name in moved:
+        value = shown(constants[name])
+        text = text.replace(
+            _words(x, name), value if len(moved) == 1 else f"{name.replace('_', ' ')}: {value}"
+        )
+    return text
+
+
+def _words(x: Judged, name: str) -> str:
+    """The words of `coxeter.ledger.claim.agree` for a constant that is printed wrong."""
+    constants = x.finding.constants or {}
+    return (
+        f"{name.replace('_', ' ')}: printed {spell(x.claim.printed.get(name))}, true {spell(constants[name])}"
+    )

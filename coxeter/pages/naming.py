@@ -1,0 +1,103 @@
+"""What claims and items are called in prose, and where on the site they are."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Iterable
+from dataclasses import dataclass
+from functools import lru_cache
+
+from ..ledger.claim import Claim
+from ..ledger.inventory import belongs, items
+
+KINDS = {
+    "def": "Definition", "thm": "Theorem", "lem": "Lemma", "prop": "Proposition", "cor": "Corollary",
+    "rem": "Remark", "eq": "Equation", "tab": "Table", "fig": "Figure",
+}  # fmt: skip
+NAMED = {
+    "claim-c": "Claim of Appendix C",
+    "tab-angles": "Table of angles",
+    "tab-regular": "Table of the regular simplex",
+}
+
+
+@lru_cache(maxsize=2048)
+def item_of(id: str) -> str:
+    """The numbered item to which a claim belongs; for others the section, as ``sec1``.
+
+    >>> [item_of(id) for id in ("thm-8.delaunay", "sec6.B.item-5.longest", "sec1.bcc", "sec6.E8.order")]
+    ['thm-8', 'sec6.B.item-5', 'sec1', 'sec6.E8']
+    """
+    for item in items():
+        if belongs(id, item):
+            return item
+    if match := re.match(r"sec6\.[A-G]\d?(?=\.)", id):
+        return match[0]
+    return id.split(".")[0]
+
+
+def name_of_item(item: str) -> str:
+    """An item in words; types are written as the ledger writes them.
+
+    >>> name_of_item("thm-8"), name_of_item("sec6.B.item-5"), name_of_item("sec1"), name_of_item("eq-3")
+    ('Theorem 8', 'B~, item 5', 'Section 1', 'Equation (3)')
+    """
+    if item in NAMED:
+        return NAMED[item]
+    if match := re.fullmatch(r"sec6\.([A-G])(\d?)(?:\.item-(\d))?", item):
+        return f"{match[1]}~{match[2]}" + (f", item {match[3]}" if match[3] else "")
+    if match := re.fullmatch(r"sec(\d)", item):
+        return f"Section {match[1]}"
+    if "-" not in item:
+        return item
+    kind, _, number = item.partition("-")
+    return f"{KINDS[kind]} ({number})" if kind == "eq" else f"{KINDS[kind]} {number}"
+
+
+def name_of(id: str) -> str:
+    """A claim in words: its item, and which part of it.
+
+    >>> name_of("thm-8.delaunay"), name_of("prop-12"), name_of("tab-6.B.3"), name_of("lem-4.step-2")
+    ('Theorem 8: delaunay', 'Proposition 12', 'Table 6: B~3', 'Lemma 4: step 2')
+    """
+    item = item_of(id)
+    rest = id[len(item) + 1 :]
+    if item.startswith("tab-"):
+        rest = re.sub(r"^([A-G])(\d?)\.", lambda m: f"{m[1]}~{m[2]} ", rest)
+        rest = re.sub(r"^([A-G]~) (\d)$", r"\1\2", rest)
+    return name_of_item(item) + (f": {rest.replace('-', ' ').replace('.', ' ')}" if rest else "")
+
+
+def names_of_items(ids: Iterable[str]) -> dict[str, str]:
+    """The items of some claims, in words, each with the first of its claims; others by their own names."""
+    first: dict[str, str] = {}
+    for id in ids:
+        item = item_of(id)
+        first.setdefault(
+            name_of(id) if item.startswith("sec") and "item" not in item else name_of_item(item), id
+        )
+    return first
+
+
+@dataclass(frozen=True)
+class Site:
+    """Addresses as they are from one page; `root` leads from there to the root of the site."""
+
+    root: str = "../"
+
+    def claim(self, id: str) -> str:
+        """The row of the ledger."""
+        return f"{self.root}book/ledger.html#claim-{id}"
+
+    def erratum(self, number: int) -> str:
+        """The entry of the errata."""
+        return f"{self.root}book/errata.html#erratum-{number}"
+
+    def code(self, claim: Claim) -> str:
+        """The check's source."""
+        module, _, function = claim.code.rpartition(".")
+        return f"{self.root}checks/{module}.html#{function}"
+
+    def download(self, name: str) -> str:
+        """A file beside the pages."""
+        return f"{self.root}downloads/{name}"
