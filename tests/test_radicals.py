@@ -12,7 +12,7 @@ from hypothesis import strategies as st
 from coxeter.claims.core import DEFINITIONS, LETTERS
 from coxeter.claims.formulas import compare_formula
 from coxeter.claims.outcomes import Outcome
-from coxeter.errors import CoxeterError, InvalidInput
+from coxeter.errors import CoxeterError, InvalidInput, Undecided
 from coxeter.exact import Surd, sqrt
 from coxeter.families import QUANTITIES, closed_form, evaluate
 from coxeter.families.forms import MEASURES
@@ -28,7 +28,6 @@ from coxeter.symbolic.irreducibles import (
 )
 from coxeter.symbolic.radicals import equal_for_every_d, first_difference, normal_form, substitute
 from coxeter.symbolic.radicals_limits import Growth, growth, limit
-from coxeter.errors import Undecided
 
 INFINITE = ("A", "B", "C", "D")
 TO_INFINITY = [

@@ -12,6 +12,7 @@ An unknown claim, number or view is a warning, and a warning fails the build.
 
 import ast
 import html
+import re
 from collections.abc import Iterator
 from functools import lru_cache
 from importlib import import_module
@@ -58,6 +59,7 @@ def setup(app: Sphinx) -> dict[str, Any]:
     app.connect("builder-inited", add_mathjax)
     app.connect("env-get-outdated", pages_of_old_ledgers)
     app.connect("html-page-context", add_script)
+    app.connect("html-page-context", mend_back_links)
     app.connect("html-collect-pages", forget_modules_without_source, priority=1)
     app.connect("html-collect-pages", pages_of_checks)
     app.connect("build-finished", write_files)
@@ -78,6 +80,22 @@ def forget_modules_without_source(app: Sphinx) -> list[Any]:
     for name in [name for name, entry in found.items() if not entry]:
         del found[name]
     return []
+
+
+def mend_back_links(app: Sphinx, pagename: str, _: str, context: dict[str, Any], *__: Any) -> None:
+    """Sphinx knows but one name of a module whose members are documented under two, its own and another."""
+    if not pagename.startswith("_modules/"):
+        return
+    module = pagename.removeprefix("_modules/").replace("/", ".")
+    known = app.env.get_domain("py").data["objects"]
+
+    def mend(match: re.Match[str]) -> str:
+        own, target = f"{module}.{match['name']}", known.get(match["target"])
+        wrong = target is None or target.objtype == "module"
+        return f"{match['before']}#{own}" if wrong and own in known else match[0]
+
+    block = r'(?P<before>id="(?P<name>[^"]+)">\s*<a class="viewcode-back" href="[^"#]*)#(?P<target>[^"]*)'
+    context["body"] = re.sub(block, mend, context.get("body", ""))
 
 
 # -- the ledger -------------------------------------------------------------------------------------------
@@ -152,7 +170,7 @@ class NumberRole(SphinxRole):
 
 
 class VerdictDirective(SphinxDirective):
-    """A box: ``:::{verdict} thm-8``. What stands in it, if anything, stands below the verdict."""
+    """A box: ``:::{verdict} thm-8``. What is written in it stands between the verdict and the reasons."""
 
     required_arguments = 1
     final_argument_whitespace = True
@@ -165,7 +183,8 @@ class VerdictDirective(SphinxDirective):
             log.warning("%s", error, location=self.get_location())
             return []
         said = self.parse_content_to_nodes() if self.content else []
-        return [*in_both(box(claims, site_from(self.env.docname)), words(gravest(claims))), *said]
+        before, after = box(claims, site_from(self.env.docname))
+        return [*in_both(before, words(gravest(claims))), *said, nodes.raw("", after, format="html")]
 
 
 class ViewDirective(SphinxDirective):
@@ -212,13 +231,20 @@ def pages_of_checks(app: Sphinx) -> Iterator[tuple[str, dict[str, Any], str]]:
 def source(app: Sphinx, name: str, functions: set[str]) -> str:
     """A module's source, highlighted, with the functions marked."""
     code = Path(str(import_module(name).__file__)).read_text(encoding="utf-8")
+    places = {function: first_line(code, function) for function in functions}
     lines = app.builder.highlighter.highlight_block(code, "python").split("\n")  # type: ignore[attr-defined]
-    for node in ast.walk(ast.parse(code)):
-        if isinstance(node, ast.FunctionDef) and node.name in functions:
-            functions.discard(node.name)
-            first = min([node.lineno, *(x.lineno for x in node.decorator_list)]) - 1
-            lines[first] = f'<span class="lg-target" id="{node.name}"></span>{lines[first]}'
+    for function, line in places.items():
+        lines[line] = f'<span class="lg-target" id="{function}"></span>{lines[line]}'
     return "\n".join(lines)
+
+
+def first_line(code: str, name: str) -> int:
+    """Where a function begins, at any depth; if it is made in another way, where its name stands first."""
+    for node in ast.walk(ast.parse(code)):
+        if isinstance(node, ast.FunctionDef) and node.name == name:
+            return min([node.lineno, *(x.lineno for x in node.decorator_list)]) - 1
+    found = re.search(rf"\b{re.escape(name)}\b", code)
+    return code.count("\n", 0, found.start()) if found else 0
 
 
 def write_files(app: Sphinx, error: Exception | None) -> None:

@@ -1,5 +1,8 @@
 """The ledger: every statement of the paper as a claim, with a check that judges it.
 
+A check imports `coxeter.proofs`, `coxeter.symbolic` and NetworkX itself, where it uses them: SymPy takes
+longer to load than all else, and many claims are judged without it.
+
 >>> finding = find_claim("def-8").judge()
 >>> finding.verdict.value, str(finding.strength)
 ('holds, corrected', 'every case (finite)')
@@ -71,7 +74,7 @@ def find_claim(id: str) -> Claim:
     if id in claims:
         return claims[id]
     near = get_close_matches(id, claims, n=3, cutoff=0.4)
-    hint = f"did you mean {' or '.join(near)}?" if near else "`coxeter verify` lists all ids"
+    hint = f"did you mean {' or '.join(near)}?" if near else "`coxeter verify --json` lists all ids"
     raise InvalidInput(f"there is no claim {id!r}: {hint}")
 
 

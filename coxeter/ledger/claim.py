@@ -78,7 +78,7 @@ class Claim:
     to_state, to_prove
         The claims that it needs to be said, and those that the paper's argument for it uses.
     code
-        The name of the check, as ``coxeter.ledger.section_1.bcc_samples``.
+        The name of the check, as ``coxeter.ledger.section_1_space.bcc_samples``.
     """
 
     id: str
@@ -215,7 +215,7 @@ def conjecture(tested: str, strength: Strength) -> Finding:
 def agree(printed: Constants, true: Constants, strength: Strength, *derivation: str, **more: Any) -> Finding:
     """The statement is true as printed if its constants are the true ones, else after putting these.
 
-    >>> agree({"angle": 60}, {"angle": 45}, up_to(8)).correction
+    >>> agree({"angle": 60}, {"angle": 45}, LITERATURE).correction
     'angle: printed 60, true 45'
     """
     wrong = [name for name in true if not same(printed.get(name), true[name])]

@@ -23,8 +23,8 @@ def mutants(constants: Constants) -> Iterator[tuple[str, Constants]]:
     Yields pairs (what was changed, constants). Words stay as they are.
 
     >>> [what for what, _ in mutants({"angle": 60, "side": "sqrt(2)/2"})]
-    ['angle: 61', 'angle: 59', 'angle: -60', 'side: sqrt(3) / 2', 'side: sqrt(1) / 2', 'side: sqrt(2) / 3', \
-'side: sqrt(2) / 1', 'side: -(sqrt(2)/2)']
+    ['angle: 61', 'angle: 59', 'angle: -60', 'side: sqrt(2) / 3', 'side: sqrt(2) / 1', 'side: sqrt(3) / 2', \
+'side: sqrt(1) / 2', 'side: -(sqrt(2)/2)']
     """
     for name, value in constants.items():
         for moved in _move(value):

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from fractions import Fraction
-from functools import lru_cache
+from functools import lru_cache, partial
 
 from ..families import evaluate
 from ..quality import MEASURES, PAPER_MEASURES
@@ -17,7 +17,7 @@ from .vocabulary import EVERY_D, INSTANCES, Weight, up_to
 # -- Definition 18 ----------------------------------------------------------------------------------------
 
 
-def _definition(printed: Constants, measure: str) -> Finding:
+def judge_definition(measure: str, printed: Constants) -> Finding:
     """Whether the formula says what the words say; both are evaluated on the same simplices."""
     formula = printed["formula"]
     for sizes, simplex in measured():
@@ -56,83 +56,52 @@ def measures(printed: Constants) -> Finding:
     )
 
 
-@claim("def-18.aspect-ratio", "Section 3, Definition 18", Weight.RESULT)
-def aspect_ratio(printed: Constants) -> Finding:
-    """The aspect ratio is the least height over the diameter of the circumscribed ball: {formula}."""
-    return _definition(printed, "aspect ratio")
-
-
-@claim("def-18.fatness", "Section 3, Definition 18", Weight.RESULT)
-def fatness(printed: Constants) -> Finding:
-    """The fatness is the volume over the d-th power of the longest edge: {formula}."""
-    return _definition(printed, "fatness")
-
-
-@claim("def-18.thickness", "Section 3, Definition 18", Weight.RESULT)
-def thickness(printed: Constants) -> Finding:
-    """The thickness is the least height over the longest edge: {formula}."""
-    return _definition(printed, "thickness")
-
-
-@claim("def-18.radius-ratio", "Section 3, Definition 18", Weight.RESULT)
-def radius_ratio(printed: Constants) -> Finding:
-    """The radius ratio is the radius of the inscribed over that of the circumscribed ball: {formula}."""
-    return _definition(printed, "radius ratio")
+for _name, _words in {
+    "aspect ratio": "the least height over the diameter of the circumscribed ball",
+    "fatness": "the volume over the d-th power of the longest edge",
+    "thickness": "the least height over the longest edge",
+    "radius ratio": "the radius of the inscribed over that of the circumscribed ball",
+}.items():
+    claim(
+        f"def-18.{_name.replace(' ', '-')}",
+        "Section 3, Definition 18",
+        Weight.RESULT,
+        words=f"The {_name} is {_words}: {{formula}}.",
+    )(partial(judge_definition, _name))
 
 
 # -- Theorem 5 --------------------------------------------------------------------------------------------
 
 
-def _optimal(printed: Constants, measure: str, proof: tuple[str, ...]) -> Finding:
+PROOFS = {
+    "aspect ratio": ("lem-9", ASPECT_RATIO),
+    "fatness": ("lem-11", FATNESS),
+    "thickness": ("lem-10", THICKNESS),
+    "radius ratio": ("lem-8", RADIUS_RATIO),
+}
+"""For each measure the lemma that the paper uses, and our proof."""
+
+
+def judge_greatest(measure: str, printed: Constants) -> Finding:
     """No rival exceeds the regular simplex, and each identity of the proof holds on the samples."""
     if not identities()[measure]:
         return fails(INSTANCES, f"an identity in the proof for the {measure} is false", "nothing")
     tried = f"{len(rivals())} simplices that might have refuted it, exactly: the greatest value is 1."
-    return agree(printed, {"greatest": greatest(measure)}, EVERY_D, *proof, tried)
+    return agree(printed, {"greatest": greatest(measure)}, EVERY_D, *PROOFS[measure][1], tried)
 
 
-@claim(
-    "thm-5.aspect-ratio",
-    "Section 3, Theorem 5",
-    Weight.RESULT,
-    to_state=["def-18.aspect-ratio"],
-    to_prove=["lem-9"],
-)
-def best_aspect_ratio(printed: Constants) -> Finding:
-    """The greatest aspect ratio of a d-simplex is that of the regular one: {greatest} when divided by it."""
-    return _optimal(printed, "aspect ratio", ASPECT_RATIO)
+for _name, (_lemma, _) in PROOFS.items():
+    claim(
+        f"thm-5.{_name.replace(' ', '-')}",
+        "Section 3, Theorem 5",
+        Weight.RESULT,
+        words=f"The greatest {_name} of a d-simplex is that of the regular one: {{greatest}} when divided by "
+        "it.",
+        to_state=[f"def-18.{_name.replace(' ', '-')}"],
+        to_prove=[_lemma],
+    )(partial(judge_greatest, _name))
 
-
-@claim(
-    "thm-5.fatness", "Section 3, Theorem 5", Weight.RESULT, to_state=["def-18.fatness"], to_prove=["lem-11"]
-)
-def best_fatness(printed: Constants) -> Finding:
-    """The greatest fatness of a d-simplex is that of the regular one: {greatest} when divided by it."""
-    return _optimal(printed, "fatness", FATNESS)
-
-
-@claim(
-    "thm-5.thickness",
-    "Section 3, Theorem 5",
-    Weight.RESULT,
-    to_state=["def-18.thickness"],
-    to_prove=["lem-10"],
-)
-def best_thickness(printed: Constants) -> Finding:
-    """The greatest thickness of a d-simplex is that of the regular one: {greatest} when divided by it."""
-    return _optimal(printed, "thickness", THICKNESS)
-
-
-@claim(
-    "thm-5.radius-ratio",
-    "Section 3, Theorem 5",
-    Weight.RESULT,
-    to_state=["def-18.radius-ratio"],
-    to_prove=["lem-8"],
-)
-def best_radius_ratio(printed: Constants) -> Finding:
-    """The greatest radius ratio of a d-simplex is that of the regular one: {greatest} when divided by it."""
-    return _optimal(printed, "radius ratio", RADIUS_RATIO)
+_THEOREM_5 = tuple(f"thm-5.{name.replace(' ', '-')}" for name in PROOFS)
 
 
 @claim(
@@ -140,7 +109,7 @@ def best_radius_ratio(printed: Constants) -> Finding:
     "Section 3, Theorem 5",
     Weight.RESULT,
     to_state=["def-18"],
-    to_prove=["thm-5.aspect-ratio", "thm-5.fatness", "thm-5.thickness", "thm-5.radius-ratio"],
+    to_prove=_THEOREM_5,
 )
 def theorem_5(printed: Constants) -> Finding:
     """In {number} measures, all of Definition 18, the regular d-simplex has the greatest value of any."""
@@ -151,9 +120,6 @@ def theorem_5(printed: Constants) -> Finding:
         EVERY_D,
         "Each of the four is proved for every $d$ in its own claim, without anything cited.",
     )
-
-
-_THEOREM_5 = ("thm-5.aspect-ratio", "thm-5.fatness", "thm-5.thickness", "thm-5.radius-ratio")
 
 
 # -- normalisation ----------------------------------------------------------------------------------------

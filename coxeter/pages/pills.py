@@ -82,12 +82,15 @@ def count(claims: Iterable[Judged]) -> str:
 # -- boxes -------------------------------------------------------------------------------------------------
 
 
-def box(claims: Sequence[Judged], site: Site) -> str:
-    """A box with the verdict on some claims: what to use instead, and what there is to see behind it."""
+def box(claims: Sequence[Judged], site: Site) -> tuple[str, str]:
+    """A box with the verdict on some claims: what to use instead, and what there is to see behind it.
+
+    Its two parts; between them there is room for words about the claims.
+    """
     x = gravest(claims)
     inner = entry(x, site, told=False) if len(claims) == 1 else _entries(claims, site)
-    kind = f"lg-box lg-{CSS_NAMES[x.verdict]}"
-    return f'<div class="{kind}"><p class="lg-box-head">{pill(claims, site)}</p>{inner}</div>'
+    head = f'<p class="lg-box-head">{pill(claims, site)}</p>'
+    return f'<div class="lg-box lg-{CSS_NAMES[x.verdict]}">{head}', f"{inner}</div>"
 
 
 def _entries(claims: Sequence[Judged], site: Site) -> str:

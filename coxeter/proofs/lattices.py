@@ -6,13 +6,13 @@ carries every vertex to one of the fundamental simplex.
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterator
+from collections.abc import Iterator
 
 from ..exact import Exact
 from ..lattices import vertex_lattice
 from ..symbolic.cases import case
-from ..symbolic.runs import RunVector, inner, runs, squared_distance
-from .classical import FAMILIES
+from ..symbolic.runs import inner, runs, square, total_of
+from .classical import FAMILIES, vector
 from .proof import Proof, ReplayFailed, Step, argument, identity, join, tested
 from .simplices import the_triangulation
 
@@ -38,12 +38,12 @@ def roots_are_all(letter: str) -> Step:
 
     words = {
         "A": "The Weyl group permutes the coordinates, so the roots are all $e_i - e_j$",
-        "B": r"The Weyl group permutes the coordinates and changes signs, so the roots are all $\pm e_i \pm e_j$ "
-        r"and $\pm e_i$",
-        "C": r"The Weyl group permutes the coordinates and changes signs, so the roots are all $\pm e_i \pm e_j$ "
-        r"and $\pm 2e_i$",
-        "D": r"The Weyl group permutes the coordinates and changes an even number of signs, so the roots are all "
-        r"$\pm e_i \pm e_j$",
+        "B": "The Weyl group permutes the coordinates and changes signs, so the roots are all "
+        r"$\pm e_i \pm e_j$ and $\pm e_i$",
+        "C": "The Weyl group permutes the coordinates and changes signs, so the roots are all "
+        r"$\pm e_i \pm e_j$ and $\pm 2e_i$",
+        "D": "The Weyl group permutes the coordinates and changes an even number of signs, so the roots are "
+        r"all $\pm e_i \pm e_j$",
     }[letter]
     number = {"A": "d(d+1)/2", "B": "d^2", "C": "d^2", "D": "d(d-1)"}[letter]
     return tested(words, rf"|R^+| = {number}", rf"d \geq {FAMILIES[letter].first}", test)
@@ -51,40 +51,56 @@ def roots_are_all(letter: str) -> Step:
 
 def proposition_7() -> Proof:
     """The vertex set of A~ is the coweight lattice."""
-    family = FAMILIES["A"]
-    root = runs(*((x, n.replace("d - k", "d + 1 - k")) for x, n in MINUS))
-    steps = []
-    for words, chain in (("before", "1 <= m < j < k <= d + 1"), ("between", "1 <= j <= m < k <= d + 1"),
-                         ("after", "1 <= j < k <= m <= d")):  # fmt: skip
-        range_ = case(chain, 2)
-        steps.append(identity(
-            f"the vertex $u_m$ and the root $e_j - e_k$, with $m$ {words} them", r"\langle u_m, e_j - e_k\rangle",
-            inner(_renamed(family.nodes[1].vertex), root, range_), "1" if words == "between" else "0", range_,
-            _inner_with_root("A", "-"),
-        ))  # fmt: skip
     return join(
         r"the vertex set of $\tilde A_d$ is the coweight lattice, for every $d \geq 2$",
         roots_are_all("A"),
-        steps,
+        _products_with_roots_of_a(),
         argument(
-            "So the vertices of the simplex lie in the coweight lattice. The lattice is stable under the affine "
-            "Weyl group (Lemma 15), which carries them to all vertices: all lie in it"
+            "So the vertices of the simplex lie in the coweight lattice. The lattice is stable under the "
+            "affine Weyl group (Lemma 15), which carries them to all vertices: all lie in it"
         ),
         argument("Conversely each of its points is a vertex (Lemma 14)"),
         _replay_lattices("A", True),
     )
 
 
+def _products_with_roots_of_a() -> Iterator[Step]:
+    """The products of the vertices of the simplex with the roots are 0 and 1."""
+    root = runs(*((x, n.replace("d - k", "d + 1 - k")) for x, n in MINUS))
+    vertex = vector(FAMILIES["A"].nodes[1].vertex, "m")
+
+    def core(d: int, j: int, k: int, m: int) -> Exact:
+        u = the_triangulation("A", d).simplex.vertex_matrix.row(m)
+        return u[j - 1] - u[k - 1]
+
+    chains = {
+        "before": "1 <= m < j < k <= d + 1",
+        "between": "1 <= j <= m < k <= d + 1",
+        "after": "1 <= j < k <= m <= d",
+    }
+    for words, chain in chains.items():
+        range_ = case(chain, 2)
+        yield identity(
+            f"the vertex $u_m$ and the root $e_j - e_k$, with $m$ {words} them",
+            r"\langle u_m, e_j - e_k\rangle", inner(vertex, root, range_),
+            "1" if words == "between" else "0", range_, core,
+        )  # fmt: skip
+
+
 def proposition_8() -> Proof:
     """No vertex set of B~ is a lattice: e_d/2 = u_d - u_(d-1) is not a vertex."""
     whole = case("3 <= d", 3)
-    last, before = runs(("1/2", "d")), runs(("1/2", "d - 1"), ("0", "1"))
+    *_, several, end = FAMILIES["B"].nodes
+    points = [vector(end.vertex, "d"), vector(several.vertex, "(d - 1)"), runs(("0", "d - 1"), ("1/2", "1"))]
+    difference = total_of(points, whole, lambda x: (x[0] - x[1] - x[2]) ** 2)
     return join(
         r"the vertex set of $\tilde B_d$ is no lattice, for every $d \geq 3$",
         roots_are_all("B"),
         _half_unit_vectors("B"),
-        identity(r"$u_d - u_{d-1}$ is $\tfrac12 e_d$", r"\|u_d - u_{d-1} - \tfrac12 e_d\|^2",
-                 squared_distance(last, runs(("1/2", "d - 1"), ("1/2", "1")), whole), "0", whole),
+        identity(
+            r"$u_d - u_{d-1}$ is $\tfrac12 e_d$", r"\|u_d - u_{d-1} - \tfrac12 e_d\|^2",
+            difference, "0", whole,
+        ),
         argument("So the vertex set is not closed under subtraction"),
         _replay_lattices("B", False),
     )  # fmt: skip
@@ -92,28 +108,32 @@ def proposition_8() -> Proof:
 
 def proposition_9() -> Proof:
     """The vertex set of C~ is (Z/2)^d."""
-    family = FAMILIES["C"]
-    each = case("1 <= k <= d", 2)
+    each, pairs = case("1 <= k <= d", 2), case("1 <= j < k <= d", 2)
     return join(
         r"the vertex set of $\tilde C_d$ is $(\tfrac12\mathbb{Z})^d$, for every $d \geq 2$",
         roots_are_all("C"),
         argument(
-            r"The vertices of the simplex have coordinates 0 and $\tfrac12$. A reflection adds to a point $x$ an "
-            r"integer minus $\langle x, r\rangle$, times the coroot $r^\vee$"
+            r"The vertices of the simplex have coordinates 0 and $\tfrac12$. A reflection adds to a point "
+            r"$x$ an integer minus $\langle x, r\rangle$, times the coroot $r^\vee$"
         ),
-        identity("a long root is twice its coroot", r"\langle 2e_k, 2e_k\rangle",
-                 inner(runs(*LONG), runs(*LONG), each), "4", each),
-        identity("the others are their own coroots", r"\langle e_j \pm e_k, e_j \pm e_k\rangle",
-                 inner(runs(*PLUS), runs(*PLUS), case("1 <= j < k <= d", 2)), "2", case("1 <= j < k <= d", 2)),
+        identity(
+            "a long root is twice its coroot", r"\langle 2e_k, 2e_k\rangle", square(runs(*LONG), each), "4",
+            each,
+        ),
+        identity(
+            "the others are their own coroots", r"\langle e_j \pm e_k, e_j \pm e_k\rangle",
+            square(runs(*PLUS), pairs), "2", pairs,
+        ),
         argument(
-            r"So coroots are integer vectors, and for $x \in (\tfrac12\mathbb{Z})^d$ the products with $e_j \pm e_k$ "
-            r"are in $\tfrac12\mathbb{Z}$, those with $2e_k$ integers: reflections keep $(\tfrac12\mathbb{Z})^d$"
+            r"So coroots are integer vectors, and for $x \in (\tfrac12\mathbb{Z})^d$ the products with "
+            r"$e_j \pm e_k$ are in $\tfrac12\mathbb{Z}$, those with $2e_k$ integers: reflections keep "
+            r"$(\tfrac12\mathbb{Z})^d$"
         ),
         argument(
-            r"Conversely the $d$ independent roots $2e_k$ have integer product with each of its points, so each is "
-            "a vertex"
+            r"Conversely the $d$ independent roots $2e_k$ have integer product with each of its points, so "
+            "each is a vertex"
         ),
-        _replay_lattices("C", True, family.first),
+        _replay_lattices("C", True),
     )  # fmt: skip
 
 
@@ -125,54 +145,46 @@ def proposition_10() -> Proof:
         _half_unit_vectors("D"),
         argument(
             r"For $d \geq 5$ the vertices $u_2$ and $u_3$ are $(\tfrac12^{\{2\}}, 0^{\{d-2\}})$ and "
-            r"$(\tfrac12^{\{3\}}, 0^{\{d-3\}})$: their difference is $\tfrac12 e_3$, and the vertex set is not closed "
-            "under subtraction"
+            r"$(\tfrac12^{\{3\}}, 0^{\{d-3\}})$: their difference is $\tfrac12 e_3$, and the vertex set is "
+            "not closed under subtraction"
         ),
         _replay_lattices("D", False, 5),
     )
 
 
 def _half_unit_vectors(letter: str) -> Iterator[Step]:
-    """The points e_m/2 are not vertices: roots that involve coordinate m have products that are no integers."""
+    """The points e_m/2 are not vertices: roots with a coordinate m have products that are no integers."""
     point = runs(("0", "m - 1"), ("1/2", "1"), ("0", "d - m"))
     for sign, pairs in (("+", PLUS), ("-", MINUS)):
         for chain in ("m < j < k", "j < m < k", "j < k < m", "m == j < k", "j < m == k"):
             range_ = case(f"1 <= {chain} <= d", 3)
             expected = "0" if "==" not in chain else "-1/2" if (sign, chain) == ("-", "j < m == k") else "1/2"
             yield identity(
-                "the point $\\tfrac12 e_m$ and a root", rf"\langle\tfrac12 e_m, e_j {sign} e_k\rangle",
+                r"the point $\tfrac12 e_m$ and a root", rf"\langle\tfrac12 e_m, e_j {sign} e_k\rangle",
                 inner(point, runs(*pairs), range_), expected, range_,
             )  # fmt: skip
     if letter == "B":
         for chain in ("m < k", "k < m", "m == k"):
             range_ = case(f"1 <= {chain} <= d", 3)
-            yield identity("the point $\\tfrac12 e_m$ and a short root", r"\langle\tfrac12 e_m, e_k\rangle",
-                           inner(point, runs(*SHORT), range_), "1/2" if "==" in chain else "0", range_)  # fmt: skip
+            yield identity(
+                r"the point $\tfrac12 e_m$ and a short root", r"\langle\tfrac12 e_m, e_k\rangle",
+                inner(point, runs(*SHORT), range_), "1/2" if "==" in chain else "0", range_,
+            )  # fmt: skip
     yield argument(
-        "So the roots with integer product lie in the hyperplane $x_m = 0$: no $d$ of them are independent, and the "
-        "point is not a vertex"
+        "So the roots with integer product lie in the hyperplane $x_m = 0$: no $d$ of them are independent, "
+        "and the point is not a vertex"
     )
 
 
-def _renamed(pairs: tuple[tuple[str, str], ...]) -> RunVector:
-    return runs(*((x.replace("k", "m"), n.replace("k", "m")) for x, n in pairs))
-
-
-def _inner_with_root(letter: str, sign: str) -> Callable[..., Exact]:
-    def core(d: int, j: int, k: int, m: int) -> Exact:
-        u = the_triangulation(letter, d).simplex.vertex_matrix.row(m)
-        return u[j - 1] - u[k - 1] if sign == "-" else u[j - 1] + u[k - 1]
-
-    return core
-
-
 def _replay_lattices(letter: str, lattice: bool, first: int = 0) -> Step:
+    low = first or FAMILIES[letter].first
+
     def test(largest: int) -> int:
-        ds = range(first or FAMILIES[letter].first, min(largest, 8) + 1)
+        ds = range(low, min(largest, 8) + 1)
         for d in ds:
             if bool(vertex_lattice(the_triangulation(letter, d))) is not lattice:
                 raise ReplayFailed(f"the core finds the opposite for {letter}~{d}")
         return len(ds)
 
     words = "the core's count of cosets agrees"
-    return tested(words, r"V = \Lambda" if lattice else r"V \neq \Lambda", rf"d \geq {first or 2}", test)
+    return tested(words, r"V = \Lambda" if lattice else r"V \neq \Lambda", rf"d \geq {low}", test)

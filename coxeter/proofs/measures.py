@@ -1,4 +1,4 @@
-"""The measures of A~, B~, C~, D~ and of the regular simplex for every d. Paper: Sections 3, 5, 6 (items 6, 7)."""
+"""The measures of A~, B~, C~, D~ and of the regular simplex for every d. Paper: Sections 3, 5 and 6."""
 
 from __future__ import annotations
 
@@ -76,7 +76,7 @@ def _length(letter: str, name: str, pieces: tuple[Piece, ...]) -> Proof:
 
 
 def _pieces_of(letter: str, name: str, piece: Piece) -> Iterator[Step]:
-    """The measure by its definition, then normalised, wherever a piece and those of the longest edge overlap."""
+    """The measure by its definition, then normalised, where a piece and those of the longest edge overlap."""
     measure = name.removeprefix("normalized_")
     words = f"the {measure.replace('_', ' ')}"
     core = partial(_core, letter, name)
@@ -133,9 +133,10 @@ def regular_lengths() -> Proof:
     square = {name: f"({form('regular', name)})**2" for name in LENGTHS}
     return join(
         r"the lengths of the regular simplex with the vertices $e_0, \dots, e_d$",
-        identity("an edge", r"\|e_j - e_k\|^2", squared_distance(other, vertex, pair), "2", pair, core("longest_edge")),
-        identity("the centre is as far from all vertices", "R^2", squared_distance(vertex, centre, each), "d/(d + 1)",
-                 each, core("circumradius")),
+        identity("an edge", r"\|e_j - e_k\|^2", squared_distance(other, vertex, pair), "2", pair,
+                 core("longest_edge")),
+        identity("the centre is as far from all vertices", "R^2", squared_distance(vertex, centre, each),
+                 "d/(d + 1)", each, core("circumradius")),
         identity("the height ends in the centre of the opposite facet", "h^2",
                  squared_distance(vertex, facet, each), "(d + 1)/d", each, core("minimal_height")),
         identity("and the inradius in the same point", "r^2", squared_distance(centre, facet, each),

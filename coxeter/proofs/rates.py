@@ -1,4 +1,4 @@
-"""How the measures of A~, B~, C~, D~ and the protection of A~ fall with d: exact orders and their constants."""
+"""How the measures of A~, B~, C~, D~ and the protection of A~ fall with d: exact orders, and constants."""
 
 from __future__ import annotations
 

@@ -94,7 +94,7 @@ def value(x: Rational, **letters: int) -> Surd:
     """The number that a rational function takes for given letters.
 
     >>> value(rational_function("1/(d + sqrt(2))"), d=1)
-    -1 + sqrt(2)
+    1/(1 + sqrt(2))
     """
 
     def number(polynomial: Any) -> tuple[Fraction, Fraction]:

@@ -73,7 +73,7 @@ def inner(x: RunVector, y: RunVector, case: Case) -> Rational:
     --------
     >>> from .cases import case
     >>> inner(runs(("1/2", "k"), ("0", "d - k")), runs(("1", "d")), case("0 <= k <= d"))
-    1/2*a
+    a/2
     """
     return total_of([x, y], case, lambda values: values[0] * values[1])
 
