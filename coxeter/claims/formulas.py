@@ -17,7 +17,7 @@ from ..families import evaluate
 from ..paper import Paper, PrintedFormula
 from .core import DEFINITIONS, LETTERS, dimensions, exact_value, letters, normalize, simplex_of
 from .decimals import printed_decimal
-from .outcomes import Comparison, Outcome, compare_decimal, round_like, spell, units_off
+from .outcomes import Comparison, Outcome, compare_decimal, round_like, spell, spell_range, units_off
 
 EXPLANATIONS = (
     # family, quantity, what would give the printed value, and its formula
@@ -58,12 +58,9 @@ def compare_formula(paper: Paper, f: PrintedFormula) -> Comparison:
     exact = {d: exact_value(f.family, f.quantity, d) for d in ds}
     fails = tuple(d for d in ds if _value(f, d) != exact[d])
     first = fails[0] if fails else ds[0]
-    note = f"holds for {spell(ds)}"
+    note = spell_range(ds, fails)
     if fails:
-        held = tuple(d for d in ds if d not in fails)
-        note = f"holds for {spell(held)}, " if held else ""
-        note += f"fails for {spell(fails)}; for d = {first} the value is {exact[first]}, "
-        note += f"printed is {_value(f, first)}"
+        note += f"; for d = {first} the value is {exact[first]}, printed is {_value(f, first)}"
     return Comparison(
         place=f.place,
         family=f.family,

@@ -124,3 +124,13 @@ def spell(dimensions: Sequence[int]) -> str:
         if len(ds) > 2 and ds == list(range(ds[0], ds[-1] + 1, step)):
             return f"{words} = {ds[0]} … {ds[-1]}"
     return "d = " + ", ".join(map(str, ds))
+
+
+def spell_range(dimensions: Sequence[int], fails: Sequence[int]) -> str:
+    """For which dimensions something holds, and for which it fails.
+
+    >>> spell_range(range(3, 10), (3,)), spell_range((2, 3), ())
+    ('holds for d = 4 … 9, fails for d = 3', 'holds for d = 2, 3')
+    """
+    held = tuple(d for d in dimensions if d not in fails)
+    return ", ".join(f"{word} for {spell(ds)}" for word, ds in (("holds", held), ("fails", fails)) if ds)

@@ -12,7 +12,7 @@ from ..families import evaluate
 from ..lattices import spanned_lattice
 from ..paper import Paper, PrintedStatement
 from .core import dimensions, simplex_of, triangulation_of
-from .outcomes import Comparison, Outcome, spell
+from .outcomes import Comparison, Outcome, spell_range
 from .points import SIGN, exact_point, failures
 from .runs import Point, coordinates, numbers, spell_runs
 
@@ -44,11 +44,9 @@ def compare_statement(paper: Paper, s: PrintedStatement) -> Comparison:
     fails = tuple(d for d in ds if not findings[d].holds)
     first = fails[0] if fails else ds[0]
     outcome, evidence = Outcome.AGREES, ""
-    note = f"holds for {spell(ds)}"
+    note = spell_range(ds, fails)
     if fails:
-        held = tuple(d for d in ds if d not in fails)
-        note = f"holds for {spell(held)}, " if held else ""
-        note += f"fails for {spell(fails)}; for d = {first} {findings[first].words}"
+        note += f"; for d = {first} {findings[first].words}"
         outcome, evidence = Outcome.DIFFERS, _evidence(paper, s)
     if s.kind == "space" and not s.text:
         outcome, note = Outcome.TRANSCRIPTION, "our copy has lost it"

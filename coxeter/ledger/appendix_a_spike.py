@@ -11,6 +11,7 @@ import numpy as np
 from ..exact import show
 from ..simplex import Simplex
 from .appendix_a_samples import SPIKE, nearest_face, shapes, square, unit
+from .vectors import minus
 
 EDGE_ONLY = ((0, 0, 0), (1, 1, 0), (2, 1, 0), (1, 0, 1))
 """The plane through its longest edge at the last vertex and the height from there meets it in that edge."""
@@ -99,9 +100,7 @@ def section_is_edge() -> bool:
     assert 3 not in nearest_face(s)
     end = max(range(3), key=lambda j: edges[3, j])
     gradients = s.gradient_gram
-    foot = [x - gradients[3, j] / gradients[3, 3] for j, x in enumerate(unit(4, 3))]
-    assert (
-        square(edges.rows(), [a - b for a, b in zip(foot, unit(4, 3), strict=True)]) == s.squared_heights[3]
-    )
+    foot = tuple(x - gradients[3, j] / gradients[3, 3] for j, x in enumerate(unit(4, 3)))
+    assert square(edges.rows(), minus(foot, unit(4, 3))) == s.squared_heights[3]
     first, second = (foot[j] for j in range(3) if j != end)
     return first * second < 0

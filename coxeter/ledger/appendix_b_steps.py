@@ -10,7 +10,7 @@ from ..exact import show
 from ..simplex import Position
 from .claim import Constants, Finding, agree, fails, holds
 from .section_4_geometry import Pair, any_pairs, boundary_pairs, separated_pairs
-from .vectors import Point, inner, minus
+from .vectors import Point, along, inner, minus, mirrored
 from .vocabulary import EVERY_D, INSTANCES
 from .wording import broken
 
@@ -92,7 +92,7 @@ def on_the_boundary() -> tuple[Pair, ...]:
 def points_of_sphere(pair: Pair) -> Iterable[Point]:
     """Points of S off the hyperplane of the facet: p, two antipodes, and the second hits of lines."""
     centre, q = pair.sphere.centre, pair.facet[0]
-    antipodes = [tuple(2 * c - x for c, x in zip(centre, v, strict=True)) for v in (q, pair.apex)]
+    antipodes = [mirrored(v, centre) for v in (q, pair.apex)]
     hits = [_second_hit(pair, v, minus(pair.other, v)) for v in (q, pair.facet[-1])]
     return [x for x in (pair.apex, *antipodes, *hits) if pair.level(x)]
 
@@ -100,7 +100,7 @@ def points_of_sphere(pair: Pair) -> Iterable[Point]:
 def _second_hit(pair: Pair, v: Point, direction: Point) -> Point:
     """Where the line from a point of S in a direction meets S again."""
     t = -2 * inner(minus(v, pair.sphere.centre), direction) / inner(direction, direction)
-    return tuple(x + t * y for x, y in zip(v, direction, strict=True))
+    return along(v, t, direction)
 
 
 def sign(x: Fraction) -> int:

@@ -16,7 +16,7 @@ from ..lattices import LatticeProof, NonLatticeWitness, vertex_lattice
 from ..paper import PrintedStatement
 from ..paper import printed as paper
 from .claim import Constants
-from .vectors import Point
+from .vectors import Point, along, point
 
 
 @dataclass(frozen=True)
@@ -110,24 +110,24 @@ def witness(case: Case, d: int) -> Point:
 
 def spelled(runs: Sequence[tuple[str, str]], d: int) -> Point:
     """A vector written as runs of equal coordinates."""
-    point = coordinates(tuple(runs), d, 0)
-    if point is None:
+    found = coordinates(tuple(runs), d, 0)
+    if found is None:
         raise InvalidInput(f"{runs} is no vector for d = {d}")
-    return tuple(Fraction(x) for x in point)  # type: ignore[arg-type]  # none of them is irrational
+    return tuple(Fraction(x) for x in found)  # type: ignore[arg-type]  # none of them is irrational
 
 
 def combination(case: Case, terms: Sequence[tuple[str, str]], d: int) -> Point:
     """The sum of multiples of the vertices, which have the signs of the paper."""
     t = case.at(d)
     rows = t.simplex.vertex_matrix.rows()
-    total = [Fraction(0)] * len(rows[0])
+    total = point(*[0] * len(rows[0]))
     for coefficient, index in terms:
         k = number(index, d)
         if not 0 <= k <= d:
             raise InvalidInput(f"there is no vertex u_{k}")
         factor = number(coefficient, d) * SIGN.get(t.type.family, 1)
-        total = [x + factor * y for x, y in zip(total, rows[k], strict=True)]
-    return tuple(total)
+        total = along(total, Fraction(factor), rows[k])
+    return total
 
 
 # -- the answers -------------------------------------------------------------------------------------------

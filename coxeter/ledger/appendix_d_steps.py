@@ -21,7 +21,7 @@ from .appendix_d_notes import DERIVATIONS, NOTES, RANK
 from .appendix_d_roots import Roots, integral_roots, listed, positive_roots, rank
 from .appendix_d_words import in_words
 from .claim import Constants, Finding, claim, corrected, fails, holds
-from .vectors import Point
+from .vectors import Point, minus
 from .vocabulary import EVERY_D, FINITE, Strength, Weight
 from .wording import told
 
@@ -66,7 +66,7 @@ def _samples(t: CoxeterTriangulation) -> tuple[tuple[int, bool], ...]:
     """For some points the rank of the roots with integer products, and whether they fold to a vertex."""
     u = t.simplex.vertex_matrix.rows()
     pairs = list(combinations(range(len(u)), 2))[:12]
-    differences = [tuple(a - b for a, b in zip(u[j], u[i], strict=True)) for i, j in pairs]
+    differences = [minus(u[j], u[i]) for i, j in pairs]
     halves = [tuple(x / 2 for x in row) for row in u[1:4]]
     images = [t.facets[k].reflect(row) for k, row in enumerate(u)]
     points = (*u, *differences, *halves, *images)

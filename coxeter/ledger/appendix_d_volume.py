@@ -12,7 +12,7 @@ from ..simplex import Simplex
 from .appendix_d_cases import fraction
 from .claim import Constants, Finding, claim, damaged, decide, holds
 from .records import formula_at
-from .vectors import Point
+from .vectors import Point, minus
 from .vocabulary import EVERY_D, FINITE, Weight
 from .wording import told
 
@@ -90,8 +90,7 @@ def rows(printed: Constants) -> Finding:
 def _is_triangular(d: int) -> bool:
     """Whether that is what the exact matrix becomes, and the two determinants agree."""
     whole = RationalMatrix.from_rows(columns(d)).T
-    last = whole.row(d)
-    left = [[x - y for x, y in zip(row, last, strict=True)] for row in whole.rows()[:-1]]
+    left = [minus(row, whole.row(d)) for row in whole.rows()[:-1]]
     shape = all(x == (-1 if i <= k < d else 0) for i, row in enumerate(left) for k, x in enumerate(row))
     return shape and whole.det() == RationalMatrix.from_rows([row[:-1] for row in left]).det()
 

@@ -16,6 +16,7 @@ from ..roots import root_system
 from ..simplex import Simplex
 from .claim import Constants, Finding, agree, cited, claim
 from .instances import all_types
+from .vectors import mean
 from .vocabulary import FINITE, Weight
 from .wording import explained
 
@@ -149,10 +150,7 @@ def _division() -> tuple[int, frozenset[Surd]]:
     whole."""
     whole = triangulation("A~3").simplex
     v = whole.vertex_matrix.rows()
-    middle = {
-        (i, j): tuple((a + b) / 2 for a, b in zip(v[i], v[j], strict=True))
-        for i, j in permutations(range(4), 2)
-    }
+    middle = {(i, j): mean((v[i], v[j])) for i, j in permutations(range(4), 2)}
     (p, q), (r, s) = whole.longest_edges()
     ring = [middle[p, r], middle[r, q], middle[q, s], middle[s, p]]
     axis = [middle[p, q], middle[r, s]]
@@ -160,8 +158,8 @@ def _division() -> tuple[int, frozenset[Surd]]:
     pieces = [Simplex(x) for x in (*corners, *([*axis, ring[i - 1], ring[i]] for i in range(4)))]
     if sum((x.volume for x in pieces), Surd(0)) != whole.volume:
         raise CoxeterError("the pieces do not fill the tetrahedron")
-    scales = {scale for x in pieces for scale in [_scale(x, whole)] if scale is not None}
-    return sum(_scale(x, whole) is not None for x in pieces), frozenset(scales)
+    scales = [scale for x in pieces if (scale := _scale(x, whole)) is not None]
+    return len(scales), frozenset(scales)
 
 
 def _scale(piece: Simplex, whole: Simplex) -> Surd | None:

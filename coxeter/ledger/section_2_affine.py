@@ -11,7 +11,7 @@ from ..exact import RationalMatrix, sqrt
 from ..root_lattices import coroot_lattice
 from .claim import Constants, Finding, agree, claim
 from .instances import all_types, neighbours_are_congruent, systems
-from .vectors import minus
+from .vectors import inner, minus, point
 from .vocabulary import EVERY_D, LITERATURE, Weight
 from .wording import explained, fits, quoted
 
@@ -45,10 +45,9 @@ def definition_13(printed: Constants) -> Finding:
 def definition_14(printed: Constants) -> Finding:
     """The reflection in the hyperplane of r and k takes from x the coroot of r, times the product of x and
     r less k, times {coefficient}."""
-    r, k, x = (1, 2), 3, (5, 7)
+    r, k, x = point(1, 2), 3, point(5, 7)
     moved = affine_reflection(r, k, x)[0] - x[0]
-    level = sum(a * b for a, b in zip(r, x, strict=True)) - k
-    coroot = Fraction(2 * r[0], sum(a * a for a in r))
+    level, coroot = inner(r, x) - k, 2 * r[0] / inner(r, r)
     return agree(
         printed, {"coefficient": int(-moved / (level * coroot))}, EVERY_D,
         "$\\langle\\sigma_{r,k}(x),r\\rangle-k=-(\\langle x,r\\rangle-k)$, as r has the product 2 with its "

@@ -13,7 +13,7 @@ from ..root_sets import AnglePair, angle_table, cartan_integer, is_crystallograp
 from ..roots import root_system
 from .claim import Constants, Finding, agree, claim, damaged, same
 from .instances import systems
-from .vectors import inner
+from .vectors import inner, point
 from .vocabulary import EVERY_D, FINITE, Weight
 from .wording import explained
 
@@ -47,9 +47,8 @@ def _whole_cartan_integers() -> bool:
 def cartan_integers(printed: Constants) -> Finding:
     """The Cartan integer n(s, r) is the product of r and s, times {factor}, over that of r with itself; it
     is an integer."""
-    r, s = (1, 1), (0, 1)
-    product_, square = sum(a * b for a, b in zip(r, s, strict=True)), sum(a * a for a in r)
-    factor = cartan_integer(s, r) * square / product_
+    r, s = point(1, 1), point(0, 1)
+    factor = cartan_integer(s, r) * inner(r, r) / inner(r, s)
     return agree(
         printed, {"factor": int(factor), "integers": _whole_cartan_integers()}, EVERY_D,
         "$s-\\sigma_r(s)=n(s,r)\\,r$, which is what crystallographic means. Computed up to rank 8.",
@@ -80,7 +79,7 @@ def ratio_of_norms(printed: Constants) -> Finding:
     """If r and s are not orthogonal, the length of s over that of r, to the power {power}, is n(s, r) over
     n(r, s)."""
     r, s = root_system("G2").simple_roots.rows()
-    ratio = sqrt(sum(x * x for x in s) / sum(x * x for x in r))
+    ratio = sqrt(inner(s, s) / inner(r, r))
     true = {p for p in range(1, 5) if ratio**p == cartan_integer(s, r) / cartan_integer(r, s)}
     return agree(
         printed, {"power": true.pop()}, EVERY_D,

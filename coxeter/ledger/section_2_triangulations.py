@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterator
 from fractions import Fraction
 from functools import lru_cache
-from itertools import combinations, pairwise, permutations, product
+from itertools import pairwise, permutations, product
 
 import numpy as np
 
@@ -17,7 +17,7 @@ from ..roots import root_system
 from .claim import Constants, Finding, agree, claim, damaged
 from .instances import all_types, dihedral_angles, systems
 from .section_2_trees import family_of, name_of, names_of_trees
-from .vectors import squared
+from .vectors import squared_edges
 from .vocabulary import EVERY_D, FINITE, Verdict, Weight
 from .wording import explained
 
@@ -204,7 +204,7 @@ def _drawn() -> Monohedral:
 def _figure_3() -> dict[str, bool]:
     """What is true of the triangulation in Figure 3, in the part of the plane that is drawn."""
     data = _drawn()
-    shapes = {tuple(sorted(squared(p, q) for p, q in combinations(x, 2))) for x in data.triangles}
+    shapes = {squared_edges(x) for x in data.triangles}
     return {
         "congruent": shapes == {data.squared_edges},
         "mirror_images": data.neighbours == data.mirror_images,

@@ -16,7 +16,7 @@ from ..exact import RationalMatrix, Surd, sqrt, surd
 from ..quality import MEASURES
 from ..simplex import Simplex, regular_simplex
 from .instances import all_types, near_regular, random_simplices, regular_value
-from .vectors import Point, inner, minus, point, squared
+from .vectors import Point, along, inner, mean, minus, mirrored, point, squared
 
 NAMES = {
     "aspect ratio": "aspect_ratio",
@@ -76,8 +76,7 @@ def lengths(points: tuple[Point, ...]) -> Lengths:
     inradius = d * volume / sum(facets, Surd(0))
     edges = [squared(p, q) for p, q in combinations(points, 2)]
     centre = _circumcentre(points)
-    antipode = tuple(2 * c - x for c, x in zip(centre, points[0], strict=True))
-    diameter = sqrt(squared(antipode, points[0]))
+    diameter = sqrt(squared(mirrored(points[0], centre), points[0]))
     radius = sqrt(squared(centre, points[-1]))
     return Lengths(d, min(heights), inradius, radius, sqrt(max(edges)), volume, diameter)
 
@@ -137,10 +136,9 @@ def greatest(measure: str) -> Surd:
 
 def squeezed(d: int, t: Fraction) -> Simplex:
     """The regular d-simplex with one height multiplied by t."""
-    base = [[Fraction(int(i == j)) for j in range(d + 1)] for i in range(d + 1)]
-    foot = [Fraction(0)] + [Fraction(1, d)] * d
-    base[0] = [f + t * (x - f) for f, x in zip(foot, base[0], strict=True)]
-    return Simplex(base)
+    apex, *base = (point(*(int(i == j) for j in range(d + 1))) for i in range(d + 1))
+    foot = mean(base)
+    return Simplex([along(foot, t, minus(apex, foot)), *base])
 
 
 @lru_cache(maxsize=1)

@@ -6,7 +6,6 @@ inside a circumsphere. Vertices on the sphere are allowed: else Theorem 7 would 
 
 from __future__ import annotations
 
-from fractions import Fraction
 from functools import lru_cache
 
 from ..affine import triangulation
@@ -17,7 +16,7 @@ from .claim import Constants, Finding, agree, claim, holds
 from .section_4_geometry import circumsphere, height_vector, simplices
 from .section_4_patches import patch, powers_in_patch
 from .section_4_planes import cut_from_the_centres, trapezoid_triangles, trapezoids
-from .vectors import Point, inner, minus, point
+from .vectors import Point, inner, minus, point, squared_edges
 from .vocabulary import EVERY_D, FINITE, Weight
 from .wording import broken
 
@@ -74,10 +73,10 @@ def _simplices_at_inner_facets(name: str) -> list[list[int]]:
 @claim("sec4.monohedral", "Section 4, introduction", Weight.WORDING)
 def monohedral(printed: Constants) -> Finding:
     """A triangulation is monohedral if its d-simplices are congruent: classes of congruence: {classes}."""
-    kinds = {name: {_edges(tuple(s)) for s in patch(name, 2)} for name in SMALLEST}
+    kinds = {name: {squared_edges(s) for s in patch(name, 2)} for name in SMALLEST}
     thirds, _, _ = cut_from_the_centres()
     classes = {len(kind) for kind in kinds.values()} | {len(thirds)}
-    several = len({_edges(t) for t in trapezoid_triangles()})
+    several = len({squared_edges(t) for t in trapezoid_triangles()})
     if several < 2:
         return broken("no triangulation with two classes was found")
     return agree(
@@ -87,13 +86,6 @@ def monohedral(printed: Constants) -> Finding:
         "A definition. Coxeter triangulations and the triangles of A~2 cut from their centres have one "
         f"class, the halves of trapezoids used against Lemma 4 have {several}, with the same circumradius.",
     )
-
-
-def _edges(vertices: tuple[Point, ...]) -> tuple[Fraction, ...]:
-    """The squared edges, sorted: they differ unless the simplices are congruent (or need a closer look)."""
-    squares = Simplex(vertices).squared_edge_lengths
-    n = len(vertices)
-    return tuple(sorted(squares[i, j] for i in range(n) for j in range(i)))
 
 
 @claim(

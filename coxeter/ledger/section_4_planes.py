@@ -14,7 +14,7 @@ from typing import NamedTuple
 from ..affine import triangulation
 from ..simplex import Position, Simplex, position
 from .section_4_geometry import circumsphere
-from .vectors import Point, along, minus, point, squared
+from .vectors import Point, mean, minus, mirrored, point, squared_edges
 
 Triangle = tuple[Point, ...]
 
@@ -244,13 +244,11 @@ def cut_from_the_centres() -> tuple[frozenset[tuple[Fraction, ...]], Position, F
     """
     simplex = triangulation("A~2").simplex
     corners = simplex.vertex_matrix.rows()
-    centre = tuple(sum(c) / 3 for c in zip(*corners, strict=True))
+    centre = mean(corners)
     kinds, powers = set(), set()
     for p, q in combinations(corners, 2):
-        foot = along(p, Fraction(1, 2), minus(q, p))
-        mirrored = along(centre, Fraction(2), minus(foot, centre))
-        kinds |= {tuple(sorted(squared(x, y) for x, y in combinations(t, 2)))
-                  for t in ((centre, p, q), (mirrored, p, q))}  # fmt: skip
-        powers.add(circumsphere((centre, p, q)).power(mirrored))
+        beyond = mirrored(centre, mean((p, q)))
+        kinds |= {squared_edges((centre, p, q)), squared_edges((beyond, p, q))}
+        powers.add(circumsphere((centre, p, q)).power(beyond))
     (power,) = powers
     return frozenset(kinds), where((centre, *corners[:2])), power

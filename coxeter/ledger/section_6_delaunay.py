@@ -16,6 +16,7 @@ from ..names import FAMILIES, MINIMAL_DIMENSION
 from ..paper import prose
 from .claim import Constants, Finding, agree, claim, corrected, holds
 from .records import strength_for
+from .vectors import inner
 from .vocabulary import Weight
 
 LARGEST = 12
@@ -133,8 +134,7 @@ def judge_products(family: str, printed: Constants) -> Finding:
             return holds(strength_for(family))
         return corrected(strength_for(family), "for all facets but that of node 0")
     t = members(family)[0]
-    origin = t.simplex.vertex_matrix.row(0)
-    if sum(a * b for a, b in zip(t.facets[0].normal, origin, strict=True)) > 0:
+    if inner(t.facets[0].normal, t.simplex.vertex_matrix.row(0)) > 0:
         return holds(strength_for(family))
     return corrected(
         strength_for(family),

@@ -2,8 +2,9 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Iterable, Sequence
 from fractions import Fraction
+from itertools import combinations
 
 Point = tuple[Fraction, ...]
 
@@ -31,6 +32,16 @@ def inner(a: Sequence[Fraction], b: Sequence[Fraction]) -> Fraction:
 def squared(a: Point, b: Point) -> Fraction:
     """The squared distance of two points."""
     return inner(minus(a, b), minus(a, b))
+
+
+def mirrored(x: Point, centre: Point) -> Point:
+    """The mirror image of a point in a centre."""
+    return along(x, Fraction(2), minus(centre, x))
+
+
+def squared_edges(points: Iterable[Point]) -> tuple[Fraction, ...]:
+    """The squared distances of some points, sorted; those of congruent simplices agree."""
+    return tuple(sorted(squared(a, b) for a, b in combinations(points, 2)))
 
 
 def mean(points: Sequence[Point]) -> Point:

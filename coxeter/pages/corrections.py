@@ -19,14 +19,17 @@ def truth(x: Judged) -> str:
     text = x.finding.correction
     if match := re.match(r"printed .*?( in the column of d = \d)?; (?:true: )?(.*)", text, re.DOTALL):
         return match[2] + (f", printed{match[1]}" if match[1] else "")
-    constants = x.finding.constants or {}
-    moved = [name for name in constants if f"{_words(x, name)}" in text]
-    for name in moved:
-        value = shown(constants[name])
-        text = text.replace(
-            _words(x, name), value if len(moved) == 1 else f"{name.replace('_', ' ')}: {value}"
+    for name, value in (x.finding.constants or {}).items():
+        words = _words(x, name)
+        told = (
+            shown(value) if text.startswith(words) and text.count(": printed ") == 1 else _named(name, value)
         )
+        text = text.replace(words, told)
     return text
+
+
+def _named(name: str, value: object) -> str:
+    return f"{name.replace('_', ' ')}: {shown(value)}"
 
 
 def _words(x: Judged, name: str) -> str:

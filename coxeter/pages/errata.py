@@ -32,7 +32,7 @@ TELLING = 30
 """Texts of at least so many letters do not agree by chance."""
 
 
-@dataclass(frozen=True)
+@dataclass(frozen=True, repr=False)
 class Erratum:
     """One error, in all places where it shows."""
 

@@ -79,7 +79,6 @@ def as_csv(entries: Iterable[Erratum]) -> str:
 # -- LaTeX ------------------------------------------------------------------------------------------------
 
 PREAMBLE = r"""\documentclass[11pt,a4paper]{article}
-\usepackage[T1]{fontenc}
 \usepackage{amsmath,amssymb}
 \usepackage[margin=25mm]{geometry}
 \emergencystretch=3em

@@ -6,11 +6,11 @@ import re
 from collections.abc import Iterator
 from dataclasses import dataclass
 
-from ..proofs import Proof, prove
 from ..ledger import all_claims, find_claim
 from ..ledger.claim import Claim, Finding
 from ..ledger.inventory import belongs
 from ..ledger.vocabulary import Verdict
+from ..proofs import Proof, prove
 from .wording import pieces
 
 HEADINGS = {

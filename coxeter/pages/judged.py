@@ -85,7 +85,7 @@ class Judged(NamedTuple):
         return GRAVITY.index(self.verdict), list(Weight).index(self.claim.weight), strength
 
 
-@dataclass(frozen=True, eq=False)
+@dataclass(frozen=True, eq=False, repr=False)
 class Ledger:
     """All claims that were judged, in the order of the paper."""
 

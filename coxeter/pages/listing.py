@@ -69,8 +69,9 @@ def _summary_row(verdict: Verdict, columns: list[Extent], counts: Counter[tuple[
 
 def listing(ledger: Ledger, site: Site) -> str:
     """Controls for the page's script, and the rows of all sections, folded."""
-    groups = "".join(_group(name, claims, ledger, site) for name, claims in by_section(ledger).items())
-    return f"{_controls(ledger)}{groups}"
+    seen: set[str] = set()
+    groups = (_group(name, claims, seen, ledger, site) for name, claims in by_section(ledger).items())
+    return f"{_controls(ledger)}{''.join(groups)}"
 
 
 def _controls(ledger: Ledger) -> str:
@@ -96,9 +97,9 @@ def _select(name: str, values: Iterable[str]) -> str:
     return f"<label>{name.capitalize()} {select}</label>"
 
 
-def _group(section: str, claims: tuple[Judged, ...], ledger: Ledger, site: Site) -> str:
+def _group(section: str, claims: tuple[Judged, ...], seen: set[str], ledger: Ledger, site: Site) -> str:
+    """The rows of a section; `seen` are the items that have had a heading, here or in another section."""
     parts: list[str] = []
-    seen: set[str] = set()
     before = ""
     for x in claims:
         item = item_of(x.id)
@@ -116,7 +117,7 @@ def _group(section: str, claims: tuple[Judged, ...], ledger: Ledger, site: Site)
 
 
 def _heading(item: str, again: bool) -> str:
-    """The heading of an item; where it comes again, as the unnumbered do, it is no place to link to."""
+    """The heading of an item; where it comes again, as a lemma with its proof, it is no place to link to."""
     name = "Without a number" if item in UNNUMBERED else to_html(name_of_item(item))
     place = "" if again else f' id="item-{item}"'
     return f'<h3 class="lg-item"{place}>{name}</h3>'

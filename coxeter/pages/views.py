@@ -22,7 +22,7 @@ from .trust import rates, trust
 _sheets = lru_cache(maxsize=1)(sheets)
 
 
-@dataclass(frozen=True, eq=False)
+@dataclass(frozen=True, eq=False, repr=False)
 class Views:
     """All that pages show of a ledger, as HTML."""
 
