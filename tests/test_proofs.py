@@ -133,5 +133,40 @@ def test_a_formula_in_the_wrong_range_is_refuted(letter, name):
     first, *others = closed_form(letter, name).pieces
     for piece in others:
         for wrong in (Piece(piece.text, 3), Piece(first.text, 3), replace(first, text=piece.text)):
-            with pytest.raises(Refuted):
+            with pytest.raises((Refuted, InvalidInput)):
                 quantity(letter, name, (wrong,))
+
+
+@pytest.mark.parametrize(
+    ("letter", "name", "claimed"),
+    [
+        ("B", "thickness", (Piece("1/sqrt(2*d)", 3),)),
+        ("B", "minimal_height", (Piece("7", 3, 3), Piece("1/(2*sqrt(2))", 4))),
+        ("A", "thickness", (Piece("sqrt(2/(d + 1))", 2),)),
+    ],
+)
+def test_a_formula_that_fails_in_one_dimension_is_refuted(letter, name, claimed):
+    with pytest.raises(Refuted, match=r"for d = \d"):
+        quantity(letter, name, claimed)
+
+
+@pytest.mark.parametrize(
+    "claimed",
+    [
+        (Piece("sqrt(2/(d + 1))", 3, None, "odd"),),
+        (Piece("17", 2, 3),),
+        (Piece("17", 1, 1), *closed_form("A", "thickness").pieces),
+        (Piece("17", 2, 2), *closed_form("A", "thickness").pieces),
+    ],
+)
+def test_formulas_must_cover_the_family(claimed):
+    with pytest.raises((InvalidInput, StopIteration), match="there must be one formula|there is no"):
+        quantity("A", "thickness", claimed)
+
+
+def test_centres_must_lie_in_the_hyperplane_of_the_simplex():
+    shifted = runs(("(d/2 + 1 - i)/(d + 1) + 1", "d + 1"))
+    with pytest.raises(Refuted, match="add up to 0"):
+        circumradius("A", "sqrt(d*(d + 2)/(12*(d + 1)) + d + 1)", shifted)
+    with pytest.raises(Refuted, match="add up to 0"):
+        inradius("A", None, shifted)

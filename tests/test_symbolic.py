@@ -110,3 +110,26 @@ def test_the_square_of_the_root_of_two():
 def test_signs_in_the_field_of_the_root_of_two(p, q):
     x = Surd(p) + q * sqrt(2)
     assert sign_of(p, q) == (x > 0) - (x < 0)
+
+
+def test_letters_that_a_range_does_not_bind_are_refused():
+    with pytest.raises(InvalidInput, match="does not bind j"):
+        case("2 <= d").sign("j")
+    with pytest.raises(InvalidInput, match="is no number to begin with"):
+        case("k <= d")
+    with pytest.raises(InvalidInput, match="need not be an integer"):
+        case("1 <= m", d="m/2")
+
+
+@pytest.mark.parametrize(
+    ("text", "formula"), [("2 <= d", "(d - 3)/(d - 3)"), ("2 <= d", "1/(sqrt(2)**2 - 2)")]
+)
+def test_a_divisor_that_may_vanish_is_undecided(text, formula):
+    with pytest.raises((Undecided, ZeroDivisionError)):
+        case(text).equal(formula, "1")
+
+
+@pytest.mark.parametrize(("value_", "length"), [("1/i", "d"), ("i**5", "d"), ("1", "d/2")])
+def test_sums_without_a_closed_form_are_undecided(value_, length):
+    with pytest.raises(Undecided):
+        total(runs((value_, length)), case("2 <= d"))

@@ -27,10 +27,12 @@
   /* Search. */
   const form = document.querySelector(".lg-controls");
   const texts = new Map();
-  const text = (row) => texts.get(row) ?? texts.set(row, row.textContent.toLowerCase()).get(row);
+  const text = (row) => texts.get(row) ?? texts.set(row, row.textContent.toLowerCase().replace(/\s+/g, " ")).get(row);
   const filter = () => {
     const asked = new FormData(form);
-    const words = asked.get("text").toLowerCase().split(/\s+/).filter(Boolean);
+    const phrase = asked.get("text").toLowerCase().trim().replace(/\s+/g, " ");
+    const whole = phrase && rows.some((row) => text(row).includes(phrase));
+    const words = whole ? [phrase] : phrase.split(" ").filter(Boolean);
     const kinds = ["verdict", "strength", "weight"].filter((kind) => asked.get(kind));
     const active = words.length + kinds.length > 0;
     let shown = 0;

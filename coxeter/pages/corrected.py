@@ -136,7 +136,7 @@ def _gathered(coordinates: Iterable[str]) -> Runs:
 
 
 def _forms() -> Sheet:
-    header = ("type", *MEASURES.values(), "Delaunay", "protection", "lattice")
+    header = ("type", *MEASURES.values(), "Delaunay", "lattice", "protection")
     rows = [
         _forms_of(family, parity)
         for family in FAMILIES
@@ -144,7 +144,7 @@ def _forms() -> Sheet:
     ]
     return Sheet(
         2,
-        "Table 2: normalised quality, Delaunay property, relative protection, lattices",
+        "Table 2: normalised quality, Delaunay property, lattices, relative protection",
         header,
         tuple(rows),
     )
@@ -161,7 +161,7 @@ def _forms_of(family: str, parity: str) -> tuple[Entry, ...]:
         cells.append(Entry(_plain(fitting), _cases(fitting), claim))
     form = closed_form(family, "relative_protection").pieces[0].text
     answers = {name: _answers(family, name) for name in ("Delaunay", "lattice")}
-    return (*cells, Entry(answers["Delaunay"]), Entry(form, str(latex(form))), Entry(answers["lattice"]))
+    return (*cells, Entry(answers["Delaunay"]), Entry(answers["lattice"]), Entry(form, str(latex(form))))
 
 
 def _plain(pieces: tuple[Piece, ...]) -> str:

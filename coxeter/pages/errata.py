@@ -12,7 +12,7 @@ from types import MappingProxyType
 from ..ledger.selecting import families_of
 from ..ledger.vocabulary import Verdict, Weight
 from .corrections import printed, truth
-from .judged import GRAVITY, Judged, Ledger, gravest
+from .judged import Judged, Ledger, gravest
 
 GROUPS = MappingProxyType({
     "results": "Results people use",
@@ -119,10 +119,10 @@ def _ordered(members: list[Judged], ledger: Ledger) -> tuple[Judged, ...]:
     """What others rest on first, else the gravest verdict first, else in the order of the paper."""
     ids = [x.id for x in members]
 
-    def key(x: Judged) -> tuple[int, int, str]:
+    def key(x: Judged) -> tuple[int, tuple[int, ...], str]:
         below = ledger.closure([x.id], ("to_state", "to_prove"))
         in_section_6 = x.id if x.id.startswith("sec6") else ""  # there the order is that of the items
-        return sum(id in below for id in ids), GRAVITY.index(x.verdict), in_section_6
+        return sum(id in below for id in ids), x.gravity[:2], in_section_6
 
     return tuple(sorted(members, key=key))
 

@@ -91,7 +91,7 @@ def _formula(run: str) -> str:
     for end in sorted(ends, reverse=True):
         text = run[:end].rstrip(" .+-*/(")
         if text and is_telling(text) and not re.fullmatch(r"\d+-\d+", text):
-            return text
+            return "" if text[0] == "(" and latex(text[1:-1]) else text  # parentheses around it stay words
     return ""
 
 

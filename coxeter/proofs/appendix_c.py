@@ -29,6 +29,10 @@ def distances() -> Proof:
     return join(
         rf"for each vertex $z$ of $\tilde A_d$ there are integers $t_j$ with $\sum t_j = 0$, ${DISTANCE}$",
         argument(
+            r"By Proposition 7 the vertices are the points with coordinates $n_i + \frac{k}{d+1}$, "
+            r"$i = 0, \dots, d$, with integers $k$, $n_i$ and $\sum n_i = -k$"
+        ),
+        argument(
             r"With $p_i = i - k - (d+1)n_i$ the coordinates of $(d+1)(z - c)$ are $\frac d2 - p_i$. The "
             r"integers $p_i$ leave all remainders $0, \dots, d$ on division by $d+1$, each once, and add up "
             r"to $\sum i - (d+1)k - (d+1)\sum n_i = \sum i$"
@@ -63,7 +67,7 @@ def lemma_13() -> Proof:
         ),
         tested(
             "the distances of all mirror vertices from the circumcentre",
-            r"\tfrac{d+1}{2}\left(\|z - c\|^2 - R^2\right) \in \mathbb{Z}", r"d \geq 2", _replay_multiples,
+            r"\tfrac{d+1}{2}\left(\|z - c\|^2 - R^2\right) \in \mathbb{Z}", 12, _replay_multiples,
         ),
     )  # fmt: skip
 
@@ -93,7 +97,7 @@ def second_closest() -> Proof:
         ),
         tested(
             "the nearest vertices that the core finds", r"\#\{z : \|z-c\|^2 = R^2 + \tfrac{2}{d+1}\} = d + 1",
-            r"d \geq 2", _replay_nearest,
+            6, _replay_nearest,
         ),
     )  # fmt: skip
 
@@ -108,6 +112,7 @@ def relative_protection(claimed: str | None = None) -> Proof:
     return join(
         r"the relative protection $\hat\delta = R'/R - 1$ of $\tilde A_d$",
         second_closest().steps,
+        argument("The affine Weyl group carries each simplex to every other: one simplex tells the infimum"),
         formulas(
             r"with $R'^2 = R^2 + \frac{2}{d+1}$", r"\hat\delta",
             "sqrt((d*(d + 2)/(12*(d + 1)) + 2/(d + 1))/(d*(d + 2)/(12*(d + 1)))) - 1", claimed, 2, core=core,

@@ -34,7 +34,8 @@ class Step:
     Attributes
     ----------
     kind
-        ``identity``, ``inequality`` or ``formulas``, decided by computation; ``argument``, said in words.
+        ``identity``, ``inequality``, ``formulas`` or ``computed``: decided by computation; ``argument``, said
+        in words; ``tested``, seen in some dimensions by the core.
     words
         What the step shows.
     formula
@@ -75,7 +76,7 @@ class Proof:
     @property
     def decided(self) -> int:
         """How many steps were decided by computation."""
-        return sum(step.kind != "argument" for step in self.steps)
+        return sum(step.kind not in ("argument", "tested") for step in self.steps)
 
     def replay(self, largest: int = 12) -> int:
         """Try every step on all numbers up to a dimension, against the exact core.
@@ -87,8 +88,10 @@ class Proof:
     def _repr_markdown_(self) -> str:
         lines = [f"**To show:** {self.statement}", ""]
         lines += [f"{n}. {_markdown(step)}" for n, step in enumerate(self.steps, 1)]
-        words = len(self.steps) - self.decided
-        lines += ["", f"*{self.decided} steps decided by computation, {words} argued in words.* ∎"]
+        count = {kind: sum(step.kind == kind for step in self.steps) for kind in ("argument", "tested")}
+        also = f", {count['tested']} tested by the core" if count["tested"] else ""
+        words = f"{self.decided} steps decided by computation, {count['argument']} argued in words{also}"
+        lines += ["", f"*{words}.* ∎"]
         return "\n".join(lines)
 
 
@@ -215,9 +218,19 @@ def in_dimension(words: str, name: str, left: str, right: str, d: int, core: Cor
     return Step("formulas", words, formula, f"d = {d}", "", test)
 
 
-def tested(words: str, formula: str, range_: str, test: Callable[[int], int]) -> Step:
-    """A step that another computation has decided, with its replay."""
-    return Step("identity", words, formula, range_, "", test)
+def tested(words: str, formula: str, largest: int, test: Callable[[int], int]) -> Step:
+    """What the core finds in dimensions up to one: no part of the proof, but a second route to what it shows.
+
+    Raises `ReplayFailed` if the core finds the opposite.
+    """
+    test(largest)
+    return Step("tested", words, formula, rf"d \leq {largest}", "", lambda up_to: test(min(up_to, largest)))
+
+
+def computed(words: str, formula: str, cases: str, test: Callable[[], int]) -> Step:
+    """Finitely many cases, all computed by the core. Raises `ReplayFailed` if one fails."""
+    test()
+    return Step("computed", words, formula, cases, "", lambda _: test())
 
 
 def _replay(words: str, range_: Case, largest: int, right: str, core: Core) -> int:

@@ -6,7 +6,7 @@ from ..exact import Surd
 from ..families import closed_form, evaluate
 from ..symbolic.radicals_limits import limit
 from .measures import SYMBOLS, quantity
-from .proof import Proof, Refuted, ReplayFailed, Step, argument, join, tested
+from .proof import Proof, Refuted, ReplayFailed, Step, argument, join
 
 
 def rate(letter: str, measure: str, claimed: Surd | None = None) -> Proof:
@@ -64,4 +64,4 @@ def _limit(name: str, text: str, parity: str, claimed: Surd | None) -> Step:
         return len(ds)
 
     words = "by the leading terms" + (f", {parity} $d$" if parity else "")
-    return tested(words, rf"{name} \longrightarrow {found.latex()}", r"d \to \infty", test)
+    return Step("formulas", words, rf"{name} \longrightarrow {found.latex()}", r"d \to \infty", "", test)

@@ -15,10 +15,11 @@ from ..affine import CoxeterTriangulation, triangulation
 from ..exact import Exact, Surd
 from ..families import closed_form, evaluate
 from ..simplex import Simplex
+from ..symbolic.cases import case
 from ..symbolic.polynomials import Rational
-from ..symbolic.runs import RunVector, inner, squared_distance
-from .classical import FAMILIES, Classical, Nodes, Pair, root, vertex
-from .proof import Proof, Step, argument, formulas, identity, join, latex
+from ..symbolic.runs import RunVector, inner, squared_distance, total
+from .classical import FAMILIES, Classical, Nodes, Pair, root, vector, vertex
+from .proof import Proof, Step, argument, formulas, identity, inequality, join, latex
 
 
 def the_simplex(letter: str, d: int) -> Simplex:
@@ -47,9 +48,44 @@ def vertices(letter: str) -> Proof:
     return join(
         rf"for every $d \geq {family.first}$ the walls $\langle x, s_j\rangle = 0$ and "
         rf"$\langle x, \tilde s\rangle = 1$ of $\tilde{{{letter}}}_d$ meet in $u_0, \dots, u_d$",
+        _dominant(family),
+        argument(
+            r"The root $\tilde s$ has a non-negative product with each simple root and is as long as any "
+            "root: a dominant long root is the highest root"
+        ),
         (level(family, pair) for pair in family.pairs()),
-        argument("So u_k lies on all walls but the one of node k, and on the inner side of that one"),
+        argument(
+            r"So $\langle u_k, \tilde s\rangle = 1$: with $u_k$ dual to $m_k s_k$ the coefficients of "
+            r"$\tilde s$ are the marks $m_k$"
+        ),
+        argument("And u_k lies on all walls but the one of node k, and on the inner side of that one"),
     )
+
+
+def _dominant(family: Classical) -> Iterator[Step]:
+    """The products of the highest root with the simple roots: none is negative."""
+    for nodes in family.nodes[1:]:
+        for where in _CUTS[family.letter] if nodes.index == "k" else (nodes.index,):
+            index = "k" if "<=" in where else where
+            range_ = case(where if "<=" in where else f"{family.first} <= d", family.first)
+
+            def core(index: str = index, **letters: int) -> Exact:
+                t = the_triangulation(family.letter, letters["d"])
+                pairs = zip(t.roots.highest_root, t.facets[node(index, **letters)].normal, strict=True)
+                return sum(x * y for x, y in pairs)
+
+            product = inner(root(family.nodes[0]), vector(nodes.root, f"({index})"), range_)
+            words = f"the highest root and the simple root of node ${index}$"
+            yield inequality(words, rf"\langle\tilde s, s_{{{index}}}\rangle", product, range_, core=core)
+
+
+_CUTS = {
+    "A": ("1", "2 <= k <= d - 1", "d"),
+    "B": ("2", "3 <= k <= d - 1"),
+    "C": ("1", "2 <= k <= d - 1"),
+    "D": ("2", "3 <= k <= d - 2"),
+}
+"""Where the coordinates of a simple root pass those at which the highest root changes."""
 
 
 def level(family: Classical, pair: Pair, point: RunVector | None = None) -> Step:
@@ -89,18 +125,22 @@ def roots_squared(letter: str) -> Iterator[Step]:
 
 
 def heights(letter: str) -> Iterator[Step]:
-    """The squared heights 1/(m_k² |s_k|²)."""
+    """The squared heights: the level of a vertex on the wall opposite to it, over the length of the root."""
     family = FAMILIES[letter]
     for nodes in family.nodes:
+        range_, index = family.range(nodes), nodes.index
+
+        def core(index: str = index, **letters: int) -> Exact:
+            return the_simplex(letter, letters["d"]).squared_heights[node(index, **letters)]
+
+        product = inner(vertex(nodes), root(nodes), range_)
+        above = 1 - product if index == "0" else product
+        value = above**2 / inner(root(nodes), root(nodes), range_)
         height = f"1/({nodes.mark}**2*{nodes.square})"
-
-        def core(nodes: Nodes = nodes, **letters: int) -> Exact:
-            return the_simplex(letter, letters["d"]).squared_heights[node(nodes.index, **letters)]
-
-        yield identity(
-            f"the height from $u_{{{nodes.index}}}$, level over length of the root",
-            rf"h_{{{nodes.index}}}^2 = \frac{{1}}{{m^2\|s\|^2}}", height, height, family.range(nodes), core,
-        )  # fmt: skip
+        u, s = f"u_{{{index}}}", f"s_{{{index}}}"
+        name = rf"h_{{{index}}}^2 = \frac{{\langle {u}, {s}\rangle^2}}{{\|{s}\|^2}}"
+        name = r"h_0^2 = \frac{1}{\|\tilde s\|^2}" if index == "0" else name
+        yield identity(f"the height from $u_{{{index}}}$", name, value, height, range_, core)
 
 
 def minimal_height(letter: str, claimed: str | None = None) -> Proof:
@@ -138,9 +178,19 @@ def inradius(letter: str, claimed: str | None = None, centre: RunVector | None =
     point = centre or family.incentre
     return join(
         rf"$r = {latex(claimed)}$ is the inradius of $\tilde{{{letter}}}_d$, $d \geq {family.first}$",
+        _in_the_hyperplane(family, point),
         (_incentre_level(family, nodes, claimed, point) for nodes in family.nodes),
         argument("So the point lies inside, at the distance $r$ from every wall: it is the incentre"),
     )
+
+
+def _in_the_hyperplane(family: Classical, point: RunVector) -> Iterator[Step]:
+    """A~ lies in the hyperplane in which the coordinates add up to 0: so must its centres."""
+    if family.letter == "A":
+        range_ = family.range(family.nodes[0])
+        yield identity(
+            "the coordinates of the centre add up to 0", r"\sum c_i", total(point, range_), "0", range_
+        )
 
 
 _LENGTH = {1: "1", 2: "sqrt(2)", 4: "2"}
@@ -178,6 +228,7 @@ def circumradius(letter: str, claimed: str | None = None, centre: RunVector | No
     square = in_d(squared_distance(vertex(family.nodes[0]), point, start), family.first)
     return join(
         rf"$R = {latex(claimed)}$ is the circumradius of $\tilde{{{letter}}}_d$, $d \geq {family.first}$",
+        _in_the_hyperplane(family, point),
         (_vertex_distance(family, nodes, square, point) for nodes in family.nodes),
         formulas("so the circumradius", "R", f"sqrt({square})", claimed, family.first,
                  core=lambda d: the_simplex(letter, d).circumradius),

@@ -10,10 +10,10 @@ from math import prod
 from ..exact import Exact, Surd
 from ..families import Piece, closed_form
 from ..symbolic.cases import case
-from ..symbolic.runs import squared_distance
-from .classical import FAMILIES, Classical, Pair, vertex
-from .proof import Core, Proof, Step, argument, formulas, identity, in_dimension, inequality, join
-from .simplices import form, node, the_simplex, the_triangulation
+from ..symbolic.runs import inner, runs, squared_distance
+from .classical import FAMILIES, Classical, Pair, vector, vertex
+from .proof import Proof, Step, argument, formulas, identity, in_dimension, inequality, join
+from .simplices import form, node, roots_squared, the_simplex, the_triangulation
 
 # -- longest edge (item 5) ----------------------------------------------------------------------------
 
@@ -113,7 +113,8 @@ def _longest_a(text: str, parity: str) -> Iterator[Step]:
             r"L^2 - \frac{t(d+1-t)}{d+1}", f"{square} - k*(d + 1 - k)/(d + 1)", range_,
         )  # fmt: skip
     yield identity(
-        "and the middle edge is as long", rf"\|u_{{{middle}}} - u_0\|^2",
+        f"and the middle edge, with $m = {'(d-1)/2' if parity == 'odd' else 'd/2'}$, is as long",
+        rf"\|u_{{{middle}}} - u_0\|^2",
         f"({middle})*(d + 1 - ({middle}))/(d + 1)".replace("m", "(d - 1)/2" if parity == "odd" else "d/2"),
         square, case("2 <= d", 2),
     )  # fmt: skip
@@ -128,49 +129,84 @@ def volume(letter: str, claimed: str | None = None) -> Proof:
     """The volume 1/(d! · Π m_k · √det), the determinant by recurrence along the diagram."""
     family = FAMILIES[letter]
     claimed = claimed or form(letter, "volume")
-    determinant = {"A": "d + 1", "B": "1", "C": "4", "D": "4"}[letter]
-    marks = {"A": "1", "B": "2**(d - 1)", "C": "2**(d - 1)", "D": "2**(d - 3)"}[letter]
+    determinant = _ENDS[letter][3]
+    powers = "*".join(f"{n.mark}**({n.high} - ({n.low}) + 1)" for n in family.nodes)
     return join(
         rf"the volume of the simplex of $\tilde{{{letter}}}_d$, for every $d \geq {family.first}$",
+        roots_squared(letter),
         determinants(letter),
         argument(
             "The vertices are the fundamental coweights over the marks, and the coweights are dual to the "
             r"simple roots, so $\operatorname{vol} = \frac{1}{d!\,\prod m_k\sqrt{\det G}}$"
         ),
-        formulas("the product of the marks", r"\prod m_k", marks, marks, family.first,
-                 core=lambda d: Surd(prod(the_triangulation(letter, d).marks))),
-        formulas("the volume", r"\operatorname{vol}", f"1/(factorial(d)*({marks})*sqrt({determinant}))",
+        formulas("the product of the marks, class by class", r"\prod m_k", powers, _PRODUCTS[letter],
+                 family.first, core=lambda d: Surd(prod(the_triangulation(letter, d).marks))),
+        formulas("the volume", r"\operatorname{vol}", f"1/(factorial(d)*({powers})*sqrt({determinant}))",
                  claimed, family.first, core=lambda d: the_simplex(letter, d).volume),
     )  # fmt: skip
 
 
+_PRODUCTS = {"A": "1", "B": "2**(d - 1)", "C": "2**(d - 1)", "D": "2**(d - 3)"}
+
+
 def determinants(letter: str) -> Iterator[Step]:
     """The determinant of the Gram matrix of the simple roots, by expansion at the end of the diagram."""
+    family = FAMILIES[letter]
+    yield from _path(letter)
+    yield argument(
+        "A path of $n$ roots of squared length 2 with neighbours at $-1$, expanded at its end, has "
+        "$D_n = 2D_{n-1} - D_{n-2}$, with $D_0 = 1$ and $D_1 = 2$"
+    )
+    yield identity("so $D_n = n + 1$, by induction", "2D_{d-1} - D_{d-2}", "2*d - (d - 1)", "d + 1",
+                   case("2 <= d", 2), lambda d: the_triangulation("A", d).roots.gram_determinant)  # fmt: skip
+    if letter != "A":
+        words, name, value, determinant = _ENDS[letter]
+        yield identity(words, name, value, determinant, case(f"{family.first} <= d", family.first),
+                       lambda d: the_triangulation(letter, d).roots.gram_determinant)  # fmt: skip
 
-    def core(kind: str) -> Core:
-        return lambda d: the_triangulation(kind, d).roots.gram_determinant
 
+def _path(letter: str) -> Iterator[Step]:
+    """The inner products of simple roots: the path, and what hangs at its end."""
+    step = FAMILIES["A"].nodes[1].root if letter == "A" else FAMILIES["C"].nodes[1].root
+    last = "d" if letter == "A" else "d - 1"
+    first, second, third = (vector(step, index) for index in ("j", "k", "(k + 1)"))
+    near, far = (
+        case(f"1 <= k <= {last} - 1".replace("d - 1 - 1", "d - 2"), 3),
+        case(f"1 <= j < m < k <= {last}", 3),
+    )
     yield identity(
-        "a path of $n$ roots of squared length 2, expanded at its end: $D_n = 2D_{n-1} - D_{n-2}$, "
-        "$D_0 = 1$, $D_1 = 2$; so $D_n = n + 1$ by induction",
-        "D_d = 2D_{d-1} - D_{d-2}", "2*d - (d - 1)", "d + 1", case("2 <= d", 2), core("A"),
-    )  # fmt: skip
-    if letter in _ENDS:
-        words, name, value, determinant, low = _ENDS[letter]
-        yield identity(words, name, value, determinant, case(f"{low} <= d", low), core(letter))
+        "neighbours on the path", r"\langle s_k, s_{k+1}\rangle", inner(second, third, near), "-1", near
+    )
+    yield identity("others are orthogonal", r"\langle s_j, s_k\rangle", inner(first, second, far), "0", far)
+    if letter == "A":
+        return
+    end = FAMILIES[letter].nodes[-1].root
+    joined, expected = {"B": ("d - 1", "-1"), "C": ("d - 1", "-2"), "D": ("d - 2", "-1")}[letter]
+    whole = case("4 <= d", 4)
+    value = inner(vector(step, f"({joined})"), runs(*end), whole)
+    yield identity("the root at the end", rf"\langle s_{{{joined}}}, s_d\rangle", value, expected, whole)
+    if letter == "D":
+        value = inner(vector(step, "(d - 1)"), runs(*end), whole)
+        yield identity("and its twin", r"\langle s_{d-1}, s_d\rangle", value, "0", whole)
+    rest = case(f"1 <= k < m <= {joined}", 3)
+    yield identity(
+        "the others do not meet it", r"\langle s_k, s_d\rangle", inner(second, runs(*end), rest), "0", rest
+    )
 
 
 _ENDS = {
+    "A": ("", "", "", "d + 1"),
     "B": (
         r"the short root at the end: $\|s_d\|^2 = 1$, $\langle s_{d-1}, s_d\rangle = -1$",
-        r"\det G = D_{d-1} - D_{d-2}", "d - (d - 1)", "1", 3,
+        r"\det G = D_{d-1} - D_{d-2}", "d - (d - 1)", "1",
     ),
     "C": (
         r"the long root at the end: $\|s_d\|^2 = 4$, $\langle s_{d-1}, s_d\rangle = -2$",
-        r"\det G = 4D_{d-1} - 4D_{d-2}", "4*d - 4*(d - 1)", "4", 2,
+        r"\det G = 4D_{d-1} - 4D_{d-2}", "4*d - 4*(d - 1)", "4",
     ),
     "D": (
         "the fork: $s_d$ is joined to $s_{d-2}$; without both there remain a path and $s_{d-1}$",
-        r"\det G = 2D_{d-1} - 2D_{d-3}", "2*d - 2*(d - 2)", "4", 4,
+        r"\det G = 2D_{d-1} - 2D_{d-3}", "2*d - 2*(d - 2)", "4",
     ),
 }  # fmt: skip
+"""The last expansion of the determinant: words, formula, its value, the determinant."""

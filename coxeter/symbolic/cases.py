@@ -14,7 +14,18 @@ from math import prod
 from typing import Any
 
 from ..errors import InvalidInput, Undecided
-from .polynomials import FIELD, LETTERS, SYMBOLS, Rational, coefficients, is_zero, rational_function, sign_of
+from .polynomials import (
+    FIELD,
+    LETTERS,
+    SYMBOLS,
+    Rational,
+    coefficients,
+    divisors,
+    is_zero,
+    letters_of,
+    rational_function,
+    sign_of,
+)
 
 PARAMETERS = ("a", "b", "c", "e")
 
@@ -41,8 +52,25 @@ class Case:
     smallest: int = 0
 
     def __call__(self, x: Rational | str | int) -> Rational:
-        """A rational function in the parameters."""
-        x = rational_function(x) if isinstance(x, str) else FIELD(x)
+        """A rational function in the parameters.
+
+        Raises
+        ------
+        InvalidInput
+            If it has a letter that the range does not bind.
+        Undecided
+            If a formula divides by something that may vanish in the range.
+        """
+        if isinstance(x, str):
+            for divisor in divisors(x):
+                self.sign(divisor, strict=True)
+            x = rational_function(x)
+        x = FIELD(x)
+        bound = {*self.values, *self.parameters, "i"}
+        if loose := sorted(letters_of(x) - bound):
+            raise InvalidInput(
+                f"the range {self.text!r} does not bind {', '.join(loose)}: add it to the chain"
+            )
         moves = [(SYMBOLS[letter].numer, value.numer) for letter, value in self.values.items()]
         return FIELD(x.numer.compose(moves)) / FIELD(x.denom.compose(moves))
 
@@ -132,6 +160,8 @@ def case(text: str, smallest: int = 0, **more: str) -> Case:
         If the text is no such chain.
     """
     first, *links = re.split(r"(<=|<|==)", text)
+    if not re.fullmatch(r"\s*-?\d+\s*", first):
+        raise InvalidInput(f"{first.strip()!r} in {text!r} is no number to begin with: write '2 <= k <= d'")
     reached = rational_function(first)
     values: dict[str, Rational] = {}
     parameters: list[str] = []
@@ -146,7 +176,13 @@ def case(text: str, smallest: int = 0, **more: str) -> Case:
         values[match[1]] = reached - shift
     given = Case(text, dict(values), tuple(parameters), smallest)
     for letter, formula in more.items():
-        values[letter] = given(formula)
+        values[letter] = Case(text, given.values, (*parameters, *PARAMETERS))(formula)
+        if values[letter].denom != 1 or any(
+            p.denominator > 1 for p, _ in coefficients(values[letter].numer).values()
+        ):
+            raise InvalidInput(
+                f"{letter} = {formula} need not be an integer: give the other letters by this one"
+            )
         parameters += [name for name in PARAMETERS if name in formula and name not in parameters]
     words = "".join(f", {letter} = {formula}" for letter, formula in more.items())
     return Case(text + words, values, tuple(parameters), smallest)

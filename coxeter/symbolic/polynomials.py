@@ -6,6 +6,7 @@ reduced by w² = 2 before they are looked at.
 
 from __future__ import annotations
 
+import ast
 from fractions import Fraction
 from functools import lru_cache
 from typing import Any
@@ -36,6 +37,34 @@ def rational_function(text: str) -> Rational:
     d + 1
     """
     return read(text, _DOMAIN, SYMBOLS)
+
+
+@lru_cache(maxsize=4096)
+def divisors(text: str) -> tuple[str, ...]:
+    """What a formula divides by, numbers left out: it makes sense only where none of them vanishes.
+
+    >>> divisors("d/(d + 1) - (k/2)**-1")
+    ('d + 1', 'k / 2')
+    """
+    nodes = [node for node in ast.walk(ast.parse(text.strip(), mode="eval")) if isinstance(node, ast.BinOp)]
+    below = [node.right for node in nodes if isinstance(node.op, ast.Div)]
+    below += [x.left for x in nodes if isinstance(x.op, ast.Pow) and isinstance(x.right, ast.UnaryOp)]
+    return tuple(ast.unparse(node) for node in below if not isinstance(node, ast.Constant))
+
+
+def letters_of(x: Rational) -> set[str]:
+    """The letters that occur in a rational function.
+
+    >>> sorted(letters_of(rational_function("k/(d + 1)")))
+    ['d', 'k']
+    """
+    return {
+        letter
+        for polynomial in (x.numer, x.denom)
+        for exponents in coefficients(polynomial)
+        for letter, exponent in zip(LETTERS, exponents, strict=True)
+        if exponent
+    }
 
 
 def _power(base: Rational, exponent: Rational) -> Rational:

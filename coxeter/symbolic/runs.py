@@ -13,7 +13,16 @@ from dataclasses import dataclass
 from ..errors import Undecided
 from ..exact import Surd
 from .cases import Case
-from .polynomials import FIELD, SYMBOLS, Rational, is_zero, rational_function, value
+from .polynomials import (
+    FIELD,
+    SYMBOLS,
+    Rational,
+    coefficients,
+    is_zero,
+    letters_of,
+    rational_function,
+    value,
+)
 
 Values = tuple[Rational, ...]
 I = SYMBOLS["i"]  # noqa: E741
@@ -107,6 +116,8 @@ def segments(vectors: Sequence[RunVector], case: Case) -> list[tuple[Rational, R
             length = case(n)
             if not Case(case.text, {}, case.parameters).nonnegative(length):
                 raise Undecided(f"the run {x}^{{{n}}} may have negative length for {case.text}")
+            if any(p.denominator > 1 or q for p, q in coefficients(length.numer).values()):
+                raise Undecided(f"the run {x}^{{{n}}} need not have an integer length for {case.text}")
             reached = reached + length
             track.append((reached, case(x)))
         tracks.append(track)
@@ -152,6 +163,8 @@ def _sum(x: Rational, start: Rational, end: Rational) -> Rational:
     """The sum of x over i = start + 1 … end: a polynomial in i, summed power by power."""
     powers: dict[int, Rational] = {}
     position = x.field.gens.index(I)
+    if "i" in letters_of(FIELD(x.denom)) or max((m[position] for m in x.numer.monoms()), default=0) > 4:
+        raise Undecided(f"there is no closed form here for the sum of {x} over i")
     for monomial, coefficient in x.numer.terms():
         rest = tuple(0 if n == position else e for n, e in enumerate(monomial))
         term = FIELD(x.numer.ring({rest: coefficient})) / FIELD(x.denom)
