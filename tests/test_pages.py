@@ -89,6 +89,7 @@ def test_the_numbers_are_those_of_the_ledger(ledger):
 def test_results_are_kept_for_the_next_time(tmp_path):
     with ledger_of(tmp_path, *GOOD), patch.object(judged, "process_pool", lambda _: nullcontext()):
         first = judge_all(tmp_path / "kept")
+        judge_all.cache_clear()
         with patch.object(judged, "verify", side_effect=AssertionError("judged again")):
             assert [x.result for x in judge_all(tmp_path / "kept")] == [x.result for x in first]
 

@@ -160,7 +160,7 @@ def test_a_formula_that_fails_in_one_dimension_is_refuted(letter, name, claimed)
     ],
 )
 def test_formulas_must_cover_the_family(claimed):
-    with pytest.raises((InvalidInput, StopIteration), match="there must be one formula|there is no"):
+    with pytest.raises((InvalidInput, StopIteration), match=r"there must be one formula|there is no"):
         quantity("A", "thickness", claimed)
 
 

@@ -26,7 +26,7 @@ from sphinx.environment import BuildEnvironment
 from sphinx.util import logging
 from sphinx.util.docutils import SphinxDirective, SphinxRole
 
-from coxeter.errors import CoxeterError
+from coxeter.errors import CoxeterError, InvalidInput
 from coxeter.pages import headline, judge_all
 from coxeter.pages.judged import gravest, sources_key
 from coxeter.pages.naming import Site
@@ -161,10 +161,13 @@ def add_badge(translator: Any, node: badge) -> None:
 
 class NumberRole(SphinxRole):
     def run(self) -> tuple[list[nodes.Node], list[nodes.system_message]]:
-        numbers = headline(views(self.env).ledger)
-        if self.text not in numbers:
-            message = "there is no number %r of the ledger; there are %s"
-            log.warning(message, self.text, ", ".join(numbers), location=self.get_location())
+        try:
+            numbers = headline(views(self.env).ledger)
+            if self.text not in numbers:
+                known = ", ".join(numbers)
+                raise InvalidInput(f"there is no number {self.text!r} of the ledger; there are {known}")
+        except CoxeterError as error:
+            log.warning("%s", error, location=self.get_location())
             return [nodes.literal(self.rawtext, self.text)], []
         return [nodes.Text(str(numbers[self.text]))], []
 

@@ -55,6 +55,8 @@ def claim_c(printed: Constants) -> Finding:
 )
 def closest(printed: Constants) -> Finding:
     """In each remainder class the vertex closest to c is {points}, and no other."""
+    if printed["points"] != "u_k":
+        return corrected(EVERY_D, f"printed {printed['points']}; true: u_k")
     for t in of_type("A", LARGEST):
         near = [x for _, x in vertices_within(t, t.simplex.squared_circumradius)]
         if sorted(near) != sorted(t.simplex.vertex_matrix.rows()):

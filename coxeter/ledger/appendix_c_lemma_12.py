@@ -6,7 +6,7 @@ from ..affine import triangulation
 from ..families import closed_form, evaluate
 from ..root_lattices import coweight_lattice
 from .appendix_c_vertices import LARGEST, point, sample
-from .claim import Constants, Finding, claim, corrected, holds
+from .claim import Constants, Finding, claim, corrected, holds, same
 from .instances import of_type
 from .record_formulas import formula_claims
 from .record_points import point_claims
@@ -35,6 +35,8 @@ def lemma_12(printed: Constants) -> Finding:
 @claim("lem-12.coweights", "Appendix C, proof of Lemma 12", Weight.PROOF, to_prove=("prop-7",))
 def coweights(printed: Constants) -> Finding:
     """The vertex set of A~_d is {lattice} of a root system of type A_d."""
+    if printed["lattice"] != "the coweight lattice":
+        return corrected(EVERY_D, f"printed {printed['lattice']}; true: the coweight lattice")
     for t in of_type("A", LARGEST):
         lattice = coweight_lattice(t.roots)
         if not all(x in lattice for x in t.simplex.vertex_matrix.rows()):
@@ -62,8 +64,10 @@ def basis(printed: Constants) -> Finding:
 
 @claim("lem-12.remainder", "Appendix C, proof of Lemma 12", Weight.PROOF, to_prove=("lem-12.basis",))
 def remainder(printed: Constants) -> Finding:
-    """The coordinates of d + 1 times a vertex are integers {coordinate}, congruent to one k modulo
-    {modulus}."""
+    """The coordinates of {times} times a vertex are integers {coordinate}, congruent to one k modulo
+    {modulus}: it is a remainder-k point."""
+    if not same(printed["times"], "1") and evaluate(printed["times"], d=4) != 5:
+        return corrected(EVERY_D, f"printed {printed['times']} times the vertex; true: d + 1 times")
     formula = printed["coordinate"].replace("n", "i")
     for d in (2, 3, 4):
         if evaluate(printed["modulus"], d=d) != d + 1:
@@ -72,6 +76,12 @@ def remainder(printed: Constants) -> Finding:
             left = [(d + 1) * x for x in point(k, n)]
             if left != [evaluate(formula, d=d, i=x, k=k) for x in n]:
                 return corrected(EVERY_D, f"for d = {d} they are {left}")
+    if same(printed["times"], "1"):
+        return corrected(
+            EVERY_D, "the coordinates of d + 1 times the point are meant (times: printed 1, true d + 1)",
+            witness="the coordinates of u_1 in A~2 are -2/3, 1/3, 1/3: no integers",
+            evidence="the sentence before has the factor", constants={**printed, "times": "d + 1"},
+        )  # fmt: skip
     return holds(EVERY_D, "The coordinates of u_k are k/(d + 1) and that minus 1; sums keep the property")
 
 

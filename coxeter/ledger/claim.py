@@ -98,7 +98,9 @@ class Claim:
 
     def state(self, constants: Constants) -> str:
         """The statement with other constants."""
-        return re.sub(r"\{(\w+)\}", lambda m: spell(constants.get(m[1], m[0])), self.words)
+        lost = dict.fromkeys(("formula", "decimal", "text"), "(lost in our copy)")
+        known = {**lost, **constants}
+        return re.sub(r"\{(\w+)\}", lambda m: spell(known.get(m[1], m[0])), self.words)
 
     def judge(self, constants: Constants | None = None) -> Finding:
         """The verdict on the statement, as printed or with other constants."""
@@ -240,6 +242,8 @@ def same(a: Any, b: Any) -> bool:
     >>> same("2/4", "1/2"), same(("1", 2), (1, 2)), same("A~", "B~")
     (True, True, False)
     """
+    if a in (None, ()) and b in (None, ()):
+        return True
     if isinstance(a, tuple) and isinstance(b, tuple):
         return len(a) == len(b) and all(map(same, a, b))
     if isinstance(a, bool) or isinstance(b, bool) or a is None or b is None:
@@ -262,6 +266,10 @@ def spell(x: Any) -> str:
     >>> spell(("1", "sqrt(2)"))
     '1, sqrt(2)'
     """
+    if isinstance(x, bool):
+        return str(x).lower()
+    if isinstance(x, tuple) and x and all(isinstance(y, tuple) and len(y) == 2 for y in x):
+        return ", ".join(spell(value) if count == "1" else f"{value}^{{{count}}}" for value, count in x)
     if isinstance(x, tuple):
         return ", ".join(f"({spell(y)})" if isinstance(y, tuple) else spell(y) for y in x)
     return str(x)

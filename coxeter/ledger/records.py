@@ -72,8 +72,21 @@ def unique(ids: Iterable[str]) -> list[str]:
     return found
 
 
+def without_end(text: str, strength: Strength) -> str:
+    """A comparison tells up to which d it has looked; what is settled for every d has no such end.
+
+    >>> without_end("holds for d = 4 … 24, fails for odd d = 3 … 23", EVERY_D)
+    'holds for every d >= 4, fails for every odd d >= 3'
+    """
+    if strength is not EVERY_D:
+        return text
+    return re.sub(r"\b(odd |even |)d = (\d+) … \d\d\b", r"every \1d >= \2", text)
+
+
 def faulty(strength: Strength, comparison: Comparison, correction: str, **more: Any) -> Finding:
     """What is printed is wrong, be it our copy's fault or the paper's; `more` are entries of the finding."""
+    correction, evidence = (without_end(x, strength) for x in (correction, comparison.evidence))
+    more = {name: without_end(x, strength) if isinstance(x, str) else x for name, x in more.items()}
     if comparison.outcome is Outcome.TRANSCRIPTION:
-        return damaged(strength, correction, comparison.evidence, **more)
-    return corrected(strength, correction, evidence=comparison.evidence, **more)
+        return damaged(strength, correction, evidence, **more)
+    return corrected(strength, correction, evidence=evidence, **more)

@@ -8,7 +8,7 @@ from functools import lru_cache
 from ..delaunay import protection
 from ..errors import CoxeterError
 from ..families import closed_form
-from ..quality import PAPER_MEASURES
+from ..quality import PAPER_MEASURES, find_measure
 from .claim import Constants, Finding, agree
 from .instances import all_types, of_type
 from .vocabulary import EVERY_D
@@ -32,6 +32,33 @@ def _within_band() -> bool:
     return all(2 * x >= 1 and x < 8 for x in values)
 
 
+@lru_cache(maxsize=1)
+def band_for_every_d() -> bool:
+    """The same for every d, for the measures whose squares are rational functions over QQ(√2)."""
+    from ..proofs.best import SQUARES
+    from ..symbolic.cases import case
+
+    for squares in SQUARES.values():
+        for family, found in squares.items():
+            range_ = case("4 <= d" if family in "BD" else "2 <= d")
+            for square in (found,) if isinstance(found, str) else found:
+                if not (range_.nonnegative(f"d*({square}) - 1/2") and range_.positive(f"8 - d*({square})")):
+                    return False
+    return True
+
+
+@lru_cache(maxsize=1)
+def least_of_all() -> tuple[str, Fraction]:
+    """The triangulation up to d = 16 with the least d·κ² of all normalised measures, and that value."""
+    values = {
+        t.name: min((find_measure(m).normalized(t.simplex) ** 2 * t.dimension).as_fraction()
+                    for m in ("aspect_ratio", "thickness"))
+        for t in all_types(8)
+    }  # fmt: skip
+    name = min(values, key=lambda name: values[name])
+    return name, values[name]
+
+
 _QUALITY = (
     "For every d and every normalised measure $\\hat\\kappa$ of the four families (fatness to the power "
     "1/d) $\\tfrac12\\le d\\,\\hat\\kappa^2<8$, so it is of the exact order $1/\\sqrt d$. By the closed "
@@ -45,6 +72,8 @@ _QUALITY = (
     "$\\frac32$.",
     "Limits of $\\sqrt d\\,\\hat\\kappa$ for fatness, aspect ratio, thickness, radius ratio: "
     "$2\\sqrt2,\\sqrt6,2,\\sqrt6$ for $\\tilde A$; $\\sqrt2,\\sqrt2,1,\\sqrt2$ for the others.",
+    "Decided for every d by the signs of coefficients: the band for aspect ratio, thickness and radius "
+    "ratio. "
     "Computed: the band for all d up to 16, and the decay from d = 64 to d = 1024.",
 )
 
@@ -76,10 +105,21 @@ def quality_exponent() -> str:
 
 def judge_quality(printed: Constants, **more: object) -> Finding:
     """Judge a statement on the order of the normalised measures."""
-    true = {"bound": "Theta" if _within_band() else "O", "exponent": quality_exponent(), **more}
+    true = {
+        "bound": "Theta" if _within_band() and band_for_every_d() else "O",
+        "exponent": quality_exponent(),
+        **more,
+    }
     return agree(printed, true, EVERY_D, *_QUALITY)
 
 
+UPPER_FOR_ALL = (
+    "O gives an upper bound, which any bad triangulation satisfies. What is meant, and true, is the "
+    "exact order: for "
+    "all Coxeter triangulations quality lies between $\\frac{4}{9\\sqrt d}$, which the thickness of E~8 "
+    "attains, and "
+    "$\\frac{\\sqrt8}{\\sqrt d}$"
+)
 ONLY_UPPER = (
     "O gives an upper bound, which any bad triangulation satisfies. What is meant, and true, is that "
     "quality is of the exact order: it lies between $\\frac1{\\sqrt{2d}}$ and $\\frac{\\sqrt8}{\\sqrt d}$"

@@ -13,6 +13,7 @@ from . import (  # isort: skip  (in the order of the paper)
     section_2_lattices,
     section_2_affine,
     section_2_triangulations,
+    sources,
 )
 
 __all__ = [
@@ -26,4 +27,5 @@ __all__ = [
     "section_2_simple_roots",
     "section_2_triangulations",
     "section_2_vectors",
+    "sources",
 ]

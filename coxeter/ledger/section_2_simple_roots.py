@@ -10,7 +10,7 @@ import numpy as np
 
 from ..exact import RationalMatrix
 from ..roots import RootSystem, root_system
-from .claim import Constants, Finding, agree, claim
+from .claim import Constants, Finding, agree, claim, repaired
 from .instances import systems
 from .section_2_groups import generated, is_stable, simple_reflections
 from .section_2_roots import in_the_span
@@ -153,13 +153,20 @@ def generated_by_simple_reflections(printed: Constants) -> Finding:
 
 @claim("def-6.integers", "Section 2.2, Definition 6", RESULT, to_state=["def-5"])
 def whole_coefficients(printed: Constants) -> Finding:
-    """Every root is a sum of simple roots with integer coefficients."""
+    """As the simple roots are a basis, every root is a sum of them with integer coefficients."""
     true = all(c.denominator == 1 for s in systems(4) for r in s.roots.rows() for c in s.coordinates(r))
-    return agree(
-        printed, {"integers": true}, EVERY_D,
-        "A positive root is simple, or a sum of two whose products with t are smaller; there are finitely "
-        "many. (That the simple roots are a basis would not be enough.) Computed up to rank 4.",
-    )  # fmt: skip
+    finding = agree(printed, {"integers": true}, EVERY_D)
+    if not finding.verdict.accepts:
+        return finding
+    return repaired(
+        EVERY_D,
+        "a positive root is simple, or a sum of two positive roots whose products with t are smaller; "
+        "there are "
+        "finitely many, so it is a sum of simple roots",
+        "that they are a basis gives real coefficients only: (1, 0) and (1, 2) are a basis of the plane, and "
+        "(1, 1) is half their sum",
+        derivation=("Computed up to rank 4: all coefficients are integers.",),
+    )
 
 
 @claim("def-6.signs", "Section 2.2, Definition 6", RESULT, to_state=["def-5", "def-6.integers"])

@@ -6,10 +6,12 @@ from functools import partial
 
 from ..affine import triangulation
 from ..claims.core import affine_name
+from ..claims.points import SIGN
 from ..delaunay import circumcentre_position
 from ..errors import InvalidInput
 from ..exact import sqrt
 from ..names import FAMILIES, MINIMAL_DIMENSION
+from ..paper import printed as paper
 from ..simplex import Position, Simplex, regular_simplex
 from . import section_6_delaunay, section_6_lattices, section_6_values
 from .claim import Constants, Finding, agree, claim, corrected, damaged, decide, holds
@@ -109,3 +111,46 @@ def hypotenuse(printed: Constants) -> Finding:
         witness="the regular triangle has its circumcentre inside",
         constants={"which": "any right triangle"},
     )
+
+
+@claim("sec6.plan.roots", "Section 6, plan, item 1", Weight.WORDING, to_state=("thm-3", "def-16"))
+def from_theorem_3(printed: Constants) -> Finding:
+    """The simplices of {families} are the fundamental simplices of the simple roots of Theorem 3."""
+    true = tuple(x for x in FAMILIES if SIGN.get(x, 1) == 1 and x != "G2")
+    return agree(
+        printed, {"families": true}, FINITE,
+        "For A~ and E~7 the printed vertices are the negatives of those of the roots, so the simplex is "
+        "the mirror "
+        "image in the origin; for G~2 it is a similar triangle in the plane.",
+        witness="for E~7 the printed u_1 has the inner product -1/2 with the simple root s_1",
+        evidence="the printed facets and vertices of each family agree with each other; no length, angle "
+        "or measure "
+        "depends on it",
+    )  # fmt: skip
+
+
+@claim("sec6.same-plan", "Section 6", Weight.WORDING)
+def same_plan(printed: Constants) -> Finding:
+    """The cases that follow the plan of nine items are {families}."""
+    places = {s.place for s in paper().statements if ", item 3" in s.place or ", item 4" in s.place}
+    found = tuple(x for x in FAMILIES if any(p.startswith(f"Section 6, {affine_name(x)},") for p in places))
+    return agree(
+        printed, {"families": found}, FINITE, "The case of G~2 has no items and no diagram of its own."
+    )
+
+
+def judge_figure_of_proposition(family: str, printed: Constants) -> Finding:
+    """Whether the figure beside a proposition is that of its family."""
+    evidence = (
+        "it is the figure of the next family; whether the reference or its place is at fault cannot be told"
+    )
+    return agree(printed, {"figure": FIGURES[family]}, FINITE, evidence=evidence)
+
+
+for _number, _family in ((11, "E6"), (12, "E7")):
+    claim(
+        f"prop-{_number}.figure",
+        f"Section 6, Proposition {_number}",
+        Weight.WORDING,
+        words="The figure that belongs to the proposition is Figure {figure}.",
+    )(partial(judge_figure_of_proposition, _family))

@@ -125,6 +125,10 @@ def judge_determinant(family: str, low: int, printed: Constants) -> Finding:
         if columns != [list(row) for row in triangulation((family, d)).simplex.vertex_matrix.rows()[1:]]:
             return corrected(EVERY_D, "the columns are not the vertices")
     words = "The matrix is triangular, with the vertices as columns: the product of its diagonal"
+    if family == "D":
+        words = (
+            "The columns are the vertices; expanded along the last row it is two equal triangles, by halves"
+        )
     return holds(EVERY_D, words, proof=("quantity", family, "volume"))
 
 
@@ -144,7 +148,9 @@ for _family, _low in (("B", 3), ("C", 2), ("D", 4)):
         f"Section 6, {_family}~, item 7",
         Weight.PROOF,
         words="The determinant of the vertices, with the first entry {first} and {other} in all others of "
-        "the upper triangle, is {value}.",
+        "the upper triangle"
+        + (", and minus that before the last entry of the last row" if _family == "D" else "")
+        + ", is {value}.",
         to_prove=(f"sec6.{_family}.item-2",),
     )(partial(judge_determinant, _family, _low))
 

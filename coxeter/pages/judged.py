@@ -8,7 +8,7 @@ import platform
 from collections.abc import Callable, Collection, Iterable, Iterator
 from dataclasses import dataclass
 from difflib import get_close_matches
-from functools import cached_property
+from functools import cached_property, lru_cache
 from importlib.metadata import version
 from pathlib import Path
 from typing import NamedTuple
@@ -172,15 +172,14 @@ def gravest(claims: Iterable[Judged]) -> Judged:
     return min(claims, key=lambda x: x.gravity)
 
 
-def judge_all(folder: Path | None = None, progress: Callable[[int, int], None] | None = None) -> Ledger:
+@lru_cache(maxsize=4)
+def judge_all(folder: Path | None = None) -> Ledger:
     """Judge all claims on all processors, or read what came out when the same library judged them last.
 
     Parameters
     ----------
     folder
         Where the results are kept; by default nowhere.
-    progress
-        Called with the number of claims that are done, and of all.
     """
     claims = all_claims()
     file = folder / f"{sources_key()}.pickle" if folder else None
@@ -188,7 +187,7 @@ def judge_all(folder: Path | None = None, progress: Callable[[int, int], None] |
         results: tuple[Result, ...] = pickle.loads(file.read_bytes())
     else:
         with process_pool(cpus()) as pool:
-            results = verify(executor=pool, progress=progress)
+            results = verify(executor=pool)
         if file and not any(x.trouble for x in results):
             _keep(file, pickle.dumps(results))
     return Ledger(tuple(Judged(claims[x.id], x) for x in results))

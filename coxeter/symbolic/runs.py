@@ -116,7 +116,7 @@ def segments(vectors: Sequence[RunVector], case: Case) -> list[tuple[Rational, R
             length = case(n)
             if not Case(case.text, {}, case.parameters).nonnegative(length):
                 raise Undecided(f"the run {x}^{{{n}}} may have negative length for {case.text}")
-            if any(p.denominator > 1 or q for p, q in coefficients(length.numer).values()):
+            if length.denom != 1 or any(q for _, q in coefficients(length.numer).values()):
                 raise Undecided(f"the run {x}^{{{n}}} need not have an integer length for {case.text}")
             reached = reached + length
             track.append((reached, case(x)))
