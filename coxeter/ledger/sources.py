@@ -1,5 +1,4 @@
 """Where the paper sends its readers: sections of a book that do not have what is quoted from them."""
-"them."""
 
 from __future__ import annotations
 
