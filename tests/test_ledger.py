@@ -242,7 +242,7 @@ def test_records_are_read_as_they_were_written(good):
     lines = good.read_text(encoding="utf-8").splitlines()
     assert len(lines) == len(GOOD) + 2
     assert set(json.loads(lines[1].removesuffix(","))) == {
-        "id", "room", "verdict", "strength", "weight", "correction",
+        "id", "room", "verdict", "strength", "weight", "correction", "about",
     }  # fmt: skip
     again = recorded()
     assert list(again) == [x.id for x in GOOD]

@@ -43,8 +43,9 @@ def _row(row: tuple[Entry, ...], before: tuple[Entry, ...] | None, notes: dict[s
 
 
 def _name(entry: Entry) -> str:
-    """The name of a type; with a condition it is a formula."""
-    return to_html(entry.latex) if "," in entry.tex else type_html(entry.tex)
+    """The name of a type, with a condition if there is one."""
+    type_, _, _ = entry.tex.partition(",")
+    return type_html(type_) + "".join(entry.plain.partition(",")[1:])
 
 
 def _cell(entry: Entry, note: Judged | None) -> str:

@@ -75,4 +75,6 @@ def _product(x: str, y: str) -> str:
 
 def is_telling(text: str) -> bool:
     """Whether a text is a formula that gains from being typeset: more than a word, a letter or a number."""
+    if re.fullmatch(r"-?\d+", text):
+        return False
     return re.search(r"sqrt|\*|/|\d\s*[+-]|[+-]\s*\d|^-", text) is not None and latex(text) is not None

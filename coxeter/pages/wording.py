@@ -12,6 +12,7 @@ from .formulas import is_telling, latex
 from .markup import MATHS
 
 TYPE = re.compile(r"\b([A-G])~_?(?:\{(\w+)\}|(\w+)\b)?(?!\w)")
+SET = re.compile(r"\\tilde\{([A-G])\}(?:_\{(\w+)\})?")
 SPACE = re.compile(r"\bR\^(?:\{([^{}]+)\}|(\w))")
 INDEX = re.compile(r"([A-Za-zλμσντρφ])_(?:\{([^{}]+)\}|(\w))(?![\w^])")
 REPEATED = re.compile(r"(-?\d+(?:/\d+)?)\^\{([^{}]+)\}")
@@ -71,8 +72,8 @@ def _at(text: str, position: int) -> tuple[Piece, int] | None:
     """What stands at a position, if it is more than words, and where it ends."""
     if position and (text[position - 1].isalnum() or text[position - 1] in "_^~"):
         return None
-    if match := TYPE.match(text, position):
-        index = match[2] or match[3] or ""
+    if match := TYPE.match(text, position) or SET.match(text, position):
+        index = match[2] or match[match.re.groups] or ""
         return Piece("type", rf"\tilde{{{match[1]}}}" + (f"_{{{index}}}" if index else "")), match.end()
     if match := SPACE.match(text, position):
         return Piece("math", rf"\mathbb{{R}}^{{{match[1] or match[2]}}}"), match.end()
