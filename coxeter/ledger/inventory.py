@@ -122,4 +122,6 @@ def unused_constants(claims: Collection[str]) -> tuple[str, ...]:
 
 def unfilled(claims: Mapping[str, Claim]) -> dict[str, str]:
     """Statements in which a place for a printed constant is left empty."""
-    return {id: x.statement for id, x in claims.items() if re.search(r"(?<![\\_^])\{[a-z_]\w*\}", x.statement)}
+    return {
+        id: x.statement for id, x in claims.items() if re.search(r"(?<![\\_^])\{[a-z_]\w*\}", x.statement)
+    }
