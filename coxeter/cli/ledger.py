@@ -72,7 +72,10 @@ def _jobs(asked: int | None, claims: int) -> int:
 
 def _explain(options: argparse.Namespace) -> Answer:
     all_claims()  # any of them may depend on what is asked for
-    entries = [explained(claim) for claim in select(options.ids).values()]
+    claims = sorted(
+        select(options.ids).values(), key=lambda claim: claim.id not in options.ids
+    )  # itself first
+    entries = [explained(claim) for claim in claims]
     if options.json:
         return Answer(_to_json([entry.data() for entry in entries]))
     return Answer("\n\n".join(map(explain, entries)))
