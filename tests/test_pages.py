@@ -6,7 +6,6 @@ import json
 import re
 import shutil
 import subprocess
-import time
 from collections import Counter
 from contextlib import nullcontext
 from pathlib import Path
@@ -16,7 +15,6 @@ import book_extension
 import networkx as nx
 import pytest
 from bs4 import BeautifulSoup
-from run_notebooks import ROOT
 from sphinx.application import Sphinx
 from sphinx.util.docutils import docutils_namespace, patch_docutils
 from synthetic import CITED, FALSE, GOOD, RAISES, ledger_of
@@ -37,26 +35,6 @@ from coxeter.pages.views import Views
 from coxeter.tables import table
 
 SITE = Site("")
-
-
-@pytest.fixture(scope="session")
-def ledger() -> Ledger:
-    """The paper's; of several test processes the first judges it, the others read what came out."""
-    folder = ROOT / "_build" / "ledger"
-    lock = folder / "lock"
-    folder.mkdir(parents=True, exist_ok=True)
-    started = time.time()
-    while time.time() - started < 300:
-        try:
-            lock.mkdir()
-        except FileExistsError:
-            time.sleep(0.5)
-        else:
-            break
-    try:
-        return judge_all(folder)
-    finally:
-        shutil.rmtree(lock, ignore_errors=True)
 
 
 @pytest.fixture(scope="session")

@@ -40,6 +40,7 @@ ASSETS = {
     "lg-errata": ("ledger.js",),
     "lg-graph": ("ledger.js",),
     "lg-notes": ("ledger.js",),
+    "cx-tilings": ("landing.css",),
     "cx-scene": (PLOTLY, "space.js", "space.css"),
     "cx-explorer": (PLOTLY, "explorer.js", "explorer.css"),
 }

@@ -15,6 +15,7 @@ from .diagrams import coxeter_diagram, diagram_pair, family_diagram
 from .figure import Figure, beside
 from .monohedral import monohedral_not_coxeter
 from .root_systems import root_system_plane
+from .tilings import tiling
 from .triangulations import plane_triangulation
 
 __all__ = [
@@ -28,4 +29,5 @@ __all__ = [
     "plane_triangulation",
     "quality_curves",
     "root_system_plane",
+    "tiling",
 ]

@@ -8,7 +8,7 @@ from dataclasses import dataclass
 from functools import cached_property, lru_cache
 
 from ..errors import InvalidInput
-from . import errata_files, listing
+from . import errata_files, landing, listing
 from .corrected import Sheet, sheets
 from .corrected_page import sheet_html
 from .errata import GROUPS, Erratum, errata
@@ -65,6 +65,8 @@ class Views:
             "dependencies": lambda: in_words(self.ledger, site),
             "trust": lambda: trust(lines, self.ledger, site),
             "rates": rates,
+            "tilings": landing.tilings,
+            "numbers": lambda: landing.numbers(self.ledger, site),
             "files": lambda: self._links(lines, site),
             **{f"errata {name}": group(name) for name in GROUPS},
             **{f"table {made.number}": sheet(made) for made in _sheets()},
