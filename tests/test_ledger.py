@@ -590,7 +590,7 @@ def test_an_altered_printed_constant_is_noticed(room):
         expected = record(claim, claim.judge())
         for what, constants in mutants(claim.printed):
             try:
-                found = record(replace(claim, printed=constants), claim.judge(constants))
+                found = record(claim, claim.judge(constants))  # so the digest is the same: the verdict must tell
             except Exception:  # an outcome of its own
                 continue
             if not differences(expected, found):
