@@ -34,8 +34,16 @@ from coxeter.pages.pills import box, pill, words
 from coxeter.pages.views import Views
 
 MATHJAX = "tex-svg-full.js"
-SCRIPTED = ("lg-controls", "lg-errata", "lg-graph", "lg-notes")
-"""What the script of the ledger's pages works on."""
+PLOTLY = "plotly.min.js"
+ASSETS = {
+    "lg-controls": ("ledger.js",),
+    "lg-errata": ("ledger.js",),
+    "lg-graph": ("ledger.js",),
+    "lg-notes": ("ledger.js",),
+    "cx-scene": (PLOTLY, "space.js", "space.css"),
+    "cx-explorer": (PLOTLY, "explorer.js", "explorer.css"),
+}
+"""Classes of elements, and the scripts and styles of the pages that have such elements."""
 
 log = logging.getLogger(__name__)
 
@@ -57,8 +65,9 @@ def setup(app: Sphinx) -> dict[str, Any]:
         texinfo=(write_badge, None),
     )
     app.connect("builder-inited", add_mathjax)
+    app.connect("builder-inited", add_plotly)
     app.connect("env-get-outdated", pages_of_old_ledgers)
-    app.connect("html-page-context", add_script)
+    app.connect("html-page-context", add_assets)
     app.connect("html-page-context", mend_back_links)
     app.connect("html-collect-pages", forget_modules_without_source, priority=1)
     app.connect("html-collect-pages", pages_of_checks)
@@ -72,6 +81,14 @@ def add_mathjax(app: Sphinx) -> None:
         raise RuntimeError("sphinx-mathjax-offline is not installed: run make setup")
     component = Path(package.origin).parent / "static" / "mathjax" / MATHJAX
     app.config.html_static_path.append(str(component))
+
+
+def add_plotly(app: Sphinx) -> None:
+    """One copy for all pages, out of the installed package."""
+    package = find_spec("plotly")
+    if package is None or package.origin is None:
+        raise RuntimeError("plotly is not installed: run make setup")
+    app.config.html_static_path.append(str(Path(package.origin).parent / "package_data" / PLOTLY))
 
 
 def forget_modules_without_source(app: Sphinx) -> list[Any]:
@@ -215,9 +232,13 @@ def in_both(made: str, otherwise: str) -> list[nodes.Node]:
 # -- pages and files beside the chapters --------------------------------------------------------------------
 
 
-def add_script(app: Sphinx, pagename: str, template: str, context: dict[str, Any], *_: Any) -> None:
-    if any(name in context.get("body", "") for name in SCRIPTED):
-        app.add_js_file("ledger.js", loading_method="defer")
+def add_assets(app: Sphinx, pagename: str, template: str, context: dict[str, Any], *_: Any) -> None:
+    body = context.get("body", "")
+    for name in dict.fromkeys(file for mark, files in ASSETS.items() if mark in body for file in files):
+        if name.endswith(".css"):
+            app.add_css_file(name)
+        else:
+            app.add_js_file(name, loading_method="defer")
 
 
 def pages_of_checks(app: Sphinx) -> Iterator[tuple[str, dict[str, Any], str]]:
