@@ -78,9 +78,10 @@ def judge_point(p: PrintedPoint, constants: Constants) -> Finding:
     first, last = constants.get("first", ""), constants.get("last", "")
     asked = replace(p, runs=constants["point"], first=first, last=last)
     right = _is_similar(p, asked) if p.family == "G2" else _is_right(asked)
-    if right and (p.label is None or constants.get("label") or asked != p):
+    if right and constants.get("label", p.label) in (None, _true_label(p)):
         return holds(strength_for(p.family), proof=_proof(p))
-    return _finding(p) if asked == p else corrected(strength_for(p.family), "")
+    as_printed = asked == p and "label" not in constants
+    return _finding(p) if as_printed else corrected(strength_for(p.family), "")
 
 
 def _proof(p: PrintedPoint) -> tuple[str, ...]:
@@ -196,9 +197,15 @@ def _is_mirror_vertex(p: PrintedPoint) -> bool:
 def _finding(p: PrintedPoint) -> Finding:
     comparison = compare_point(printed(), p)
     true = _true_runs(p)
-    constants = {"point": true, "label": "right"} | _range(p) if true else None
+    label = {} if p.label is None else {"label": _true_label(p)}
+    constants = {"point": true} | label | _range(p) if true else None
     correction = f"printed {comparison.printed}; {comparison.note}"
     return faulty(strength_for(p.family), comparison, correction, constants=constants)
+
+
+def _true_label(p: PrintedPoint) -> str:
+    """What should stand in front of a point."""
+    return {"vertex": f"u_{p.index}", "circumcentre": "c", "incentre": "c_in"}.get(p.name, p.name)
 
 
 def _true_runs(p: PrintedPoint) -> Runs | None:
