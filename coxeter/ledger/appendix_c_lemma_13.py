@@ -13,6 +13,7 @@ from ..families import evaluate
 from .appendix_c_vertices import point, sample, squared_distance
 from .claim import Constants, Finding, agree, claim, corrected, holds
 from .vocabulary import EVERY_D, Weight
+from .wording import told
 
 
 @claim("lem-13", "Appendix C, Lemma 13", Weight.PROOF, to_prove=("eq-6", "lem-13.parity", "lem-13.reduction"))
@@ -29,6 +30,7 @@ def lemma_13(printed: Constants) -> Finding:
 
 
 @claim("lem-13.reduction", "Appendix C, proof of Lemma 13", Weight.WORDING)
+@told
 def reduction(printed: Constants) -> Finding:
     """It is enough to compare the squared distance of z from c with {second}, the squared distance of its
     class's vertex."""

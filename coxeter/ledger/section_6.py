@@ -107,7 +107,7 @@ def hypotenuse(printed: Constants) -> Finding:
     return decide(
         circumcentre_position(regular_simplex(2)) is not Position.INSIDE,
         EVERY_D,
-        "printed any triangle; true: any right triangle, such as this one",
+        f"printed {printed['which']}; true: any right triangle, such as this one",
         witness="the regular triangle has its circumcentre inside",
         constants={"which": "any right triangle"},
     )

@@ -170,8 +170,8 @@ def judge_products(family: str, printed: Constants) -> Finding:
     """Whether the normals that are printed have such products, and no others."""
     found = agree(
         printed, {"normals": _normals(family)}, strength_for(family),
-        "For $k\\geq1$ the vertex $u_k$ is dual to $m_ks_k$, so $\\langle s_k,u_k\\rangle=1/m_k$; the products "
-        "with c are its levels on the walls through 0",
+        "For $k\\geq1$ the vertex $u_k$ is dual to $m_ks_k$, so $\\langle s_k,u_k\\rangle=1/m_k$; the "
+        "products with c are its levels on the walls through 0",
         witness="u_0 = 0 has inner product 0 with every normal", proof=_proof(family),
     )  # fmt: skip
     return explained(
