@@ -14,12 +14,12 @@ from itertools import pairwise
 import pytest
 import record_ledger
 import synthetic
-from synthetic import ANGLE, BLIND, ENDLESS, GOOD, NUMBER, RAISES, TRIPS, ledger_of, make
+from synthetic import ANGLE, BLIND, ENDLESS, GOOD, NUMBER, RAISES, TRIPS, ledger_of, make, number
 
 from coxeter import ledger, proofs
 from coxeter.errors import CoxeterError, InvalidInput
 from coxeter.ledger import inventory
-from coxeter.ledger.claim import CLAIMS, BrokenTool, Equivalent, agree, holds
+from coxeter.ledger.claim import CLAIMS, BrokenTool, Equivalent, agree, holds, register
 from coxeter.ledger.mutants import mutants
 from coxeter.ledger.pools import process_pool
 from coxeter.ledger.recorded import differences, record, recorded, write
@@ -82,6 +82,15 @@ def test_a_tool_that_does_not_work_is_an_error_that_names_the_claim():
         claim.judge()
     assert run(claim).finding is None
     assert run(claim).trouble.startswith("error: BrokenTool: thm-95: no verdict, for the witness does not")
+
+
+@pytest.mark.usefixtures("good")
+def test_an_id_is_given_once():
+    with pytest.raises(InvalidInput, match="two claims 'def-90'"):
+        register(replace(ANGLE, check=number))
+    with pytest.raises(InvalidInput, match="two claims 'def-90'"):
+        register(ANGLE)
+    assert CLAIMS["def-90"] is ANGLE
 
 
 def test_a_check_that_raises_for_a_mutant_is_an_error_which_names_it():
