@@ -603,7 +603,7 @@ def test_the_record_says_where_to_find_a_claim(room):
 
 @pytest.mark.parametrize("room", ledger.ROOMS)
 def test_an_altered_printed_constant_is_noticed(room):
-    """Each printed number, sign, range, word: what comes out is not what is recorded, also where it was wrong.
+    """Each printed number, sign, range, word: what comes out is not what is recorded, even if it was wrong.
 
     The digest is that of the claim as it is, so the verdict, its strength or the correction must tell.
     """
