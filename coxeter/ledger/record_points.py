@@ -9,6 +9,7 @@ from functools import lru_cache, partial
 from ..claims.core import dimensions, simplex_of
 from ..claims.points import (
     SIGN,
+    agrees,
     compare_point,
     compare_points,
     exact_point,
@@ -116,7 +117,7 @@ def _is_right(p: PrintedPoint) -> bool:
     if p.family not in MINIMAL_DIMENSION:
         return not failures(p, p.family)
     try:
-        return _has_its_range(p) and _is_right_for_every_d(p)
+        return _has_its_range(p) and _is_right_early(p) and _is_right_for_every_d(p)
     except (CoxeterError, KeyError):
         return False
 
@@ -128,6 +129,12 @@ def _has_its_range(p: PrintedPoint) -> bool:
     low = MINIMAL_DIMENSION[p.family]
     as_printed = next(q for q in printed().points if q.line == p.line)
     return all(set(vertex_numbers(p, d)) == _numbers_left(as_printed, d) for d in range(low, low + 6))
+
+
+def _is_right_early(p: PrintedPoint) -> bool:
+    """Whether a point is right in one small dimension: most wrong ones are not, and this is soon seen."""
+    d = MINIMAL_DIMENSION[p.family] + 2
+    return all(0 <= k <= d and agrees(p, p.family, d, k) for k in vertex_numbers(p, d))
 
 
 @lru_cache(maxsize=64)
