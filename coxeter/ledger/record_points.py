@@ -205,7 +205,7 @@ def _finding(p: PrintedPoint) -> Finding:
     comparison = compare_point(printed(), p)
     true = _true_runs(p)
     label = {} if p.label is None else {"label": _true_label(p)}
-    constants = {"point": true} | label | _range(p) if true else None
+    constants = {"point": true, **label, **_range(p)} if true else None
     correction = f"printed {comparison.printed}; {comparison.note}"
     return faulty(strength_for(p.family), comparison, correction, constants=constants)
 

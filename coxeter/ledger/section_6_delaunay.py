@@ -12,14 +12,14 @@ from ..claims.outcomes import Outcome
 from ..claims.points import SIGN, compare_points
 from ..delaunay import delaunay_verdict, protection
 from ..errors import InvalidInput
-from ..exact import rational, show
+from ..exact import show
 from ..families import evaluate
 from ..names import FAMILIES, MINIMAL_DIMENSION
 from ..paper import printed as paper
 from ..paper import prose
 from .claim import Constants, Finding, agree, claim, corrected, holds
 from .records import strength_for
-from .vectors import inner
+from .vectors import inner, rational_point
 from .vocabulary import Weight
 from .wording import explained
 
@@ -91,7 +91,7 @@ def judge_separation(family: str, printed: Constants) -> Finding:
 def _levels(t: CoxeterTriangulation, family: str, printed: Constants) -> tuple[str, Fraction, list[Fraction]]:
     """What is looked at, a wall or x_k = 0, and the values that c and the vertices have there."""
     centre, *vertices = [t.simplex.circumcentre, *t.simplex.vertex_matrix.rows()]
-    points = [tuple(map(rational, x)) for x in (centre, *vertices)]
+    points = list(map(rational_point, (centre, *vertices)))
     if "facet" in printed:
         number = int(evaluate(printed["facet"], d=t.dimension).as_fraction())
         if not 0 <= number <= t.dimension:
@@ -154,7 +154,7 @@ def _normals(family: str) -> str:
     """
     without = set()
     for t in members(family):
-        c, vertices = t.simplex.circumcentre, t.simplex.vertex_matrix.rows()
+        c, vertices = rational_point(t.simplex.circumcentre), t.simplex.vertex_matrix.rows()
         good = [inner(f.normal, u) > 0 and inner(f.normal, c) >= 0
                 for f, u in zip(t.facets, vertices, strict=True)]  # fmt: skip
         without.add(tuple(k for k, is_good in enumerate(good) if not is_good))
