@@ -3,10 +3,11 @@
 from __future__ import annotations
 
 import re
+from collections.abc import Iterable
 from functools import lru_cache, partial
 
 from ..affine import CoxeterTriangulation, triangulation
-from ..claims.core import DEFINITIONS, dimensions, exact_value, family_of
+from ..claims.core import DEFINITIONS, affine_name, dimensions, exact_value, family_of
 from ..claims.decimals import COLUMNS, printed_decimal
 from ..delaunay import delaunay_verdict, protection
 from ..errors import InvalidInput
@@ -35,6 +36,11 @@ def _member(family: str) -> CoxeterTriangulation:
     return triangulation((family[0], int(family[1:] or 5)))
 
 
+def _named(families: Iterable[str]) -> tuple[str, ...]:
+    """Families as the statements name them."""
+    return tuple(map(affine_name, families))
+
+
 @lru_cache(maxsize=1)
 def delaunay_families() -> tuple[str, ...]:
     """The infinite families by proof for every d, the others by computation."""
@@ -51,7 +57,7 @@ def delaunay(printed: Constants) -> Finding:
     steps = tuple(
         f"{x}~: the level of the circumcentre on the deciding walls, for every d" for x in MINIMAL_DIMENSION
     )
-    return agree(printed, {"families": delaunay_families()}, EVERY_D, *steps)
+    return agree(printed, {"families": _named(delaunay_families())}, EVERY_D, *steps)
 
 
 @claim(
@@ -65,7 +71,7 @@ def protected(printed: Constants) -> Finding:
     """The triangulations with a positive relative protection are those of {families}, and no others."""
     found = tuple(x for x in delaunay_families() if protection(_member(x)).relative > 0)
     words = "A~: Lemma 12. The others have a circumcentre on a wall"
-    return agree(printed, {"families": found}, EVERY_D, words)
+    return agree(printed, {"families": _named(found)}, EVERY_D, words)
 
 
 @claim("thm-8.lattices", "Theorem 8", Weight.RESULT, to_prove=tuple(f"prop-{n}" for n in range(7, 15)))
@@ -77,7 +83,7 @@ def lattices(printed: Constants) -> Finding:
         prove(f"proposition_{n}")
     found = tuple(x for x in (*MINIMAL_DIMENSION, "D4", *SINGLE) if vertex_lattice(_member(x)))
     words = "Propositions 7 to 10 for every d, the rest by cosets"
-    return agree(printed, {"families": found}, EVERY_D, words)
+    return agree(printed, {"families": _named(found)}, EVERY_D, words)
 
 
 @claim(
