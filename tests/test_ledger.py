@@ -21,7 +21,7 @@ from coxeter import ledger, proofs
 from coxeter.errors import CoxeterError, InvalidInput
 from coxeter.ledger import inventory
 from coxeter.ledger.claim import CLAIMS, BrokenTool, Equivalent, agree, holds, register
-from coxeter.ledger.mutants import mutants
+from coxeter.ledger.mutants import OTHER_WORDS, mutants
 from coxeter.ledger.pools import process_pool
 from coxeter.ledger.recorded import differences, record, recorded, write
 from coxeter.ledger.reporting import compare, score
@@ -67,6 +67,12 @@ def test_survivors_of_mutation_are_named():
     result = run(BLIND)
     assert result.survivors == ("n: 2", "n: 0", "n: -1")
     assert (result.tried, result.rejected) == (3, 0)
+
+
+def test_words_and_quotients_have_mutants_too():
+    for words in ("the coweight lattice", "x_4 = 0", "F~4", "u_k", "="):
+        assert [x["it"] for _, x in mutants({"it": words})] == [OTHER_WORDS]
+    assert [x["it"] for _, x in mutants({"it": "h/L"})] == ["h * L", "-(h/L)"]
 
 
 def test_a_check_that_raises_is_an_error_not_a_verdict():
@@ -552,6 +558,52 @@ def test_a_damaged_file_can_be_recorded_anew(good):
     ledger.recorded._load.cache_clear()
     assert record_ledger.main(["--jobs", "1", "--file", str(good)]) == 0
     assert len(recorded(good)) == len(GOOD)
+
+
+# -- single checks ---------------------------------------------------------------------------------------
+
+
+def test_a_damaged_label_must_become_the_right_one():
+    claim = ledger.find_claim("sec6.E7.item-2.u-6")
+    right = claim.judge().constants
+    assert right["label"] == "u_6"
+    assert claim.judge(right).verdict.accepts
+    for label in ("u_5", "6", "", OTHER_WORDS):
+        assert not claim.judge({**right, "label": label}).verdict.accepts
+
+
+def test_a_moved_cell_must_come_to_its_column():
+    claims = [
+        x for id, x in ledger.all_claims().items() if id.startswith(("tab-3", "tab-4", "tab-5", "tab-6"))
+    ]
+    moved = [(x, found) for x in claims if "column" in (found := x.judge().constants or {})]
+    assert moved
+    for claim, right in moved:
+        assert right["column"] == int(claim.id.rpartition(".")[2])
+        assert claim.judge(right).verdict.accepts
+        for column in (right["column"] + 1, right["column"] - 1, "yes"):
+            assert not claim.judge({**right, "column": column}).verdict.accepts
+
+
+@pytest.mark.parametrize("hyperplane", ["something else", "x_0 = 0", "x_9 = 0", "x_4 = 1", "x_4", "4"])
+def test_what_is_no_hyperplane_is_refused(hyperplane):
+    with pytest.raises(InvalidInput, match="is no hyperplane: give x_k = 0, with k from 1 to 8"):
+        ledger.find_claim("sec6.E6.item-8.separates").judge({"hyperplane": hyperplane})
+
+
+def test_what_does_not_separate_is_told_for_any_family():
+    found = ledger.find_claim("sec6.E6.item-8.separates").judge({"hyperplane": "x_5 = 0"})
+    assert (
+        found.witness
+        == "for E~6, the coordinate x_5: the value of c is 1/3, those of the vertices go from 0 to 1"
+    )
+    assert found.constants == {"facet": "4"}
+    assert not found.evidence  # the centre of E~6 is printed right
+    assert (
+        ledger.find_claim("sec6.D.item-8.separates")
+        .judge({"facet": "0"})
+        .witness.startswith("for D~4, the level")
+    )
 
 
 # -- the real ledger: it fails here as long as something is missing --------------------------------------
