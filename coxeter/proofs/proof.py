@@ -8,6 +8,7 @@ from __future__ import annotations
 
 from collections.abc import Callable, Iterable
 from dataclasses import dataclass, field
+from functools import lru_cache
 
 from ..errors import CoxeterError, Undecided
 from ..exact import Exact, surd
@@ -266,6 +267,7 @@ def _spell(letters: dict[str, int]) -> str:
     return ", ".join(f"{name} = {n}" for name, n in letters.items())
 
 
+@lru_cache(maxsize=1024)
 def latex(text: str) -> str:
     """A formula in LaTeX."""
     import sympy
