@@ -59,7 +59,7 @@ def lemma_9_distances() -> Figure[Distances]:
     """The distances in the proof of Lemma 9, as on the left of Figure 12.
 
     >>> [str(x) for x in lemma_9_distances().data.distances]
-    ['5/3', '52/15', '3']
+    ['3', '81/13', '3']
     """
     simplex = Simplex(TRIANGLE)
     shares = simplex.barycentric(INSIDE)

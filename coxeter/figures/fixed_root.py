@@ -17,7 +17,7 @@ from .placement import clear_place
 from .plane import squared_distance
 from .space import View
 
-_SCALE, _BREADTH = 92.0, 330.0
+_SCALE, _BREADTH = 84.0, 330.0
 _SEEDS = ((4, -2, -1, -1), (-1, -5, 13, -7), (1, 5, -2, -4))
 """To the right, upwards, towards the viewer."""
 _SOLID, _MIRROR = Pen(INK, 1.2, opacity=0.45), (BLUE, 0.16, Pen(BLUE, 1.6))

@@ -74,7 +74,7 @@ def difference_not_a_vertex(name: object = "G~2") -> Figure[NotLattice]:
     Examples
     --------
     >>> difference_not_a_vertex().data.through
-    0
+    1
     """
     t = triangulation(getattr(name, "name", name))
     axes = frame(t.roots)  # refuses all but the plane
