@@ -127,8 +127,8 @@ def test_pictures_of_spheres_are_to_scale():
     dots = [d for d in section.draw().shapes if isinstance(d, Disc) and d.fill and d.radius < 9]
     distances = sorted(math.dist(d.centre, circle.centre) / circle.radius for d in dots)
     ratio = math.sqrt(section.data.sphere.squared_distance / section.data.sphere.squared_circumradius)
-    assert distances[:3] == pytest.approx([ratio, 1, 1])  # the others are in the legend
-    assert distances[3] > 1.1
+    assert distances[:4] == pytest.approx([ratio, ratio, 1, 1])  # the vertex inside is marked besides
+    assert distances[4] > 1.1  # in the legend
     for name in ("A~2", "A~3"):
         figure = protection_spheres(name)
         inner_, outer = sorted(

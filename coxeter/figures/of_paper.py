@@ -74,3 +74,6 @@ _MAKERS: dict[int, Callable[[], Figure[Any]]] = {
     12: _figure_12,
     13: lemma_4_circles,
 }
+
+NUMBERS = tuple(_MAKERS)
+"""The numbers of the figures: 1 to 13."""

@@ -5,7 +5,7 @@ from __future__ import annotations
 import math
 from collections.abc import Sequence
 from fractions import Fraction
-from itertools import combinations, product
+from itertools import combinations, islice, product
 from typing import NamedTuple
 
 from ..affine import CoxeterTriangulation, Vector, triangulation
@@ -166,10 +166,12 @@ def _view(data: Protected, scale: float) -> View:
     centre = data.circumcentre
     right = _minus(data.nearest[0][1], centre)
     edges = [_minus(u, centre) for u in data.simplex]
-    turns = [_combined(weights, edges) for weights in product(range(-2, 3), repeat=3)]
-    seeds = [(right, up, third) for up in turns for third in edges]
-    independent = [x for x in seeds if RationalMatrix.from_rows(x).rank() == 3]
-    return max((View.along(x, centre, scale) for x in independent), key=lambda view: _merit(view, data))
+    seeds = []
+    for weights in product(range(-2, 3), repeat=3):
+        up = _combined(weights, edges)
+        behind = (x for x in edges if RationalMatrix.from_rows([right, up, x]).rank() == 3)
+        seeds += [(right, up, third) for third in islice(behind, 1)]
+    return max((View.along(x, centre, scale) for x in seeds), key=lambda view: _merit(view, data))
 
 
 def _combined(weights: Sequence[int], vectors: Sequence[Vector]) -> Vector:
