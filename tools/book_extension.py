@@ -5,6 +5,7 @@
 * Roles: ``{badge}`thm-8.delaunay` `` is the verdict on a claim, on several, or on all of an item;
   ``{ledger}`checked` `` is a number.
 * Directives: ``{verdict}`` is a box with a verdict and what to use instead; ``{view}`` is any other view.
+* ``book_figures`` shows the gallery.
 * Every check's source has a page; the files beside the pages are written at the end.
 
 An unknown claim, number or view is a warning, and a warning fails the build.
@@ -73,6 +74,7 @@ def setup(app: Sphinx) -> dict[str, Any]:
     app.connect("html-collect-pages", forget_modules_without_source, priority=1)
     app.connect("html-collect-pages", pages_of_checks)
     app.connect("build-finished", write_files)
+    app.setup_extension("book_figures")
     return {"parallel_read_safe": True, "parallel_write_safe": True}
 
 
