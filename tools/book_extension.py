@@ -36,12 +36,13 @@ PLOTLY = "plotly.min.js"
 ASSETS = {
     "lg-controls": ("ledger.js",),
     "lg-errata": ("ledger.js",),
-    "lg-graph": ("ledger.js",),
+    "lg-graph": ("graph.js",),
     "lg-notes": ("ledger.js",),
+    "<table": ("tables.js",),
     "cx-scene": (PLOTLY, "space.js", "space.css"),
     "cx-explorer": (PLOTLY, "explorer.js", "explorer.css"),
 }
-"""Classes of elements, and the scripts and styles of the pages that have such elements."""
+"""Classes of elements, or elements, and the scripts and styles of the pages that have them."""
 
 log = logging.getLogger(__name__)
 

@@ -10,7 +10,7 @@
   card.id = "cx-card";
   card.setAttribute("role", "tooltip");
   card.hidden = true;
-  document.body.append(card);
+  document.querySelector("article")?.append(card);
   let owner = null;
   let timer = 0;
 
@@ -88,6 +88,6 @@
   document.addEventListener("keydown", (event) => {
     if (event.key === "Escape") hide();
   });
-  addEventListener("scroll", (event) => { if (!card.contains(event.target)) hide(); }, { capture: true, passive: true });
+  addEventListener("scroll", (event) => { if (owner && !card.contains(event.target)) hide(); }, { capture: true, passive: true });
   document.addEventListener("click", hide);
 })();
