@@ -25,6 +25,7 @@ from sphinx.util import logging
 from coxeter.errors import CoxeterError
 from coxeter.pages.cards import brief, claim_card, erratum_card
 from coxeter.pages.markup import MATHS
+from coxeter.pages.wording import to_html
 
 LINK = re.compile(r"<a\b([^>]*)>")
 HREF = re.compile(r'\bhref="([^"]+)"')
@@ -165,7 +166,7 @@ class Cards:
 
 def definition(node: nodes.Element) -> str:
     """An object of the library or a word of a glossary: its name, and the first sentence about it."""
-    name = html.escape(" ".join(node.astext().replace("[source]", "").split()), quote=False)
+    name = " ".join(inline(node).replace("[source]", "").split())
     if isinstance(node, addnodes.desc_signature):
         name = f"<code>{name}</code>"
     about = next(iter(node.parent.findall(nodes.paragraph)), None)
@@ -177,8 +178,8 @@ def code_card(module: str, function: str) -> str | None:
     for node in ast.walk(ast.parse(code_of(module))):
         if isinstance(node, ast.FunctionDef | ast.ClassDef) and node.name == function:
             said = (ast.get_docstring(node) or "").partition("\n")[0]
-            words = "" if "{" in said else html.escape(said)
-            return brief(f"<code>{module}.{function}</code>", words, "source")
+            words = "" if "{" in said else to_html(said.rstrip(":"))
+            return brief(f"<code>{module}.{function}</code>", words, "source code")
     return None
 
 
@@ -203,12 +204,12 @@ def cut(paragraph: nodes.Element) -> str:
 
 
 def inline(node: nodes.Node) -> str:
-    r"""A piece of text as HTML, without links; formulas as the page's script for formulas knows them."""
+    """A piece of text as HTML, without links; formulas as the page's script for formulas knows them."""
     if isinstance(node, nodes.Text):
         return html.escape(str(node), quote=False)
     if isinstance(node, nodes.math | nodes.math_block):
         return rf'<span class="{MATHS}">\({html.escape(node.astext(), quote=False)}\)</span>'
-    if isinstance(node, (*SILENT, book_extension.badge)):
+    if isinstance(node, (*SILENT, book_extension.badge)) or node.get("condition") == "*":  # or said otherwise
         return ""
     inner = "".join(map(inline, node.children))
     tag = {nodes.literal: "code", nodes.emphasis: "em", nodes.strong: "strong"}.get(type(node))

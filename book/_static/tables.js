@@ -19,13 +19,23 @@
     .replace(/[^\x01-\x7e]|[<>|^~]|\\(?![&%$#_{}])/g, (sign) => SIGNS[sign] ?? (/[\u00c0-\u017f]/.test(sign) ? sign : `[U+${sign.codePointAt(0).toString(16)}]`))
     .replace(/\u0001(.)\u0002/g, "$\\tilde{$1}$");
 
-  /* An exact value, "2*sqrt(3)/9", in LaTeX. */
-  const exactTex = (text) => text.replace(/\*\*\(1\/(\d+)\)/g, "^{1\u0001$1}").replace(/sqrt\((\d+)\)/g, "\\sqrt{$1}")
-    .replace(/((?:\d+\*)?\\sqrt\{\d+\}|\d+)\/(\d+)/g, "\\frac{$1}{$2}").replaceAll("*", " ").replaceAll("\u0001", "/");
+  /* An exact value, "2*sqrt(3)/9", in LaTeX, as the library writes it. */
+  const exactTex = (text) => {
+    const power = /^(.*)\*\*\(1\/(\d+)\)$/.exec(text);
+    if (power) {
+      const base = exactTex(power[1].replace(/^\((.*)\)$/, "$1"));
+      return `${/^\d+$/.test(base) ? base : `\\left(${base}\\right)`}^{1/${power[2]}}`;
+    }
+    const roots = text.replace(/sqrt\((\d+)\)/g, "\\sqrt{$1}").replaceAll("*", "");
+    const over = /^(?:\((.*)\)|([^()]*))\/\((.*)\)$/.exec(roots);
+    if (over) return `\\frac{${fractions(over[1] ?? over[2])}}{${fractions(over[3])}}`;
+    return fractions(roots);
+  };
+  const fractions = (text) => text.replace(/(\d*\\sqrt\{\d+\}|\d+)\/(\d+)/g, "\\frac{$1}{$2}");
 
   const sourceOf = (formula) => {
-    const list = window.MathJax?.startup?.document?.math?.toArray?.() ?? [];
-    return list.find((item) => item.typesetRoot === formula)?.math ?? formula.textContent;
+    const list = window.MathJax?.startup?.document?.math ?? [];
+    return [...list].find((item) => item.typesetRoot === formula)?.math ?? formula.textContent;
   };
   const KINDS = {
     plain: {
@@ -65,25 +75,27 @@
   const quoted = (text) => (/[",\n]/.test(text) ? `"${text.replaceAll('"', '""')}"` : text);
   const write = {
     csv: (rows) => rows.map((row) => row.map((x) => quoted(x.text)).join(",")).join("\n"),
-    json: (rows, name) => {
-      const [head, ...body] = rows;
-      const names = head.map((x) => x.text);
-      const value = (x) => (x.exact ? { exact: x.exact, decimal: x.decimal } : x.text || null);
-      const plain = names.every(Boolean) && new Set(names).size === names.length;
-      const objects = body.map((row) => (plain ? Object.fromEntries(row.map((x, n) => [names[n] ?? n, value(x)])) : row.map(value)));
-      return JSON.stringify({ title: name, ...(plain ? {} : { header: names }), rows: objects }, null, 1);
+    json: (rows, name, heads) => {
+      const names = heads ? rows[0].map((x) => x.text) : [];
+      const value = (x) => JSON.stringify(x.exact ? { exact: x.exact, decimal: x.decimal } : x.text || null);
+      const named = names.length && names.every(Boolean) && new Set(names).size === names.length;
+      const object = (row) => `{${row.map((x, n) => `${JSON.stringify(names[n] ?? n)}: ${value(x)}`).join(", ")}}`; // in order
+      const lines = rows.slice(heads).map((row) => (named ? object(row) : `[${row.map(value).join(", ")}]`));
+      const head = heads && !named ? ` "header": ${JSON.stringify(names)},\n` : "";
+      return `{\n "title": ${JSON.stringify(name)},\n${head} "rows": [\n  ${lines.join(",\n  ")}\n ]\n}`;
     },
-    tex: (rows) => {
+    tex: (rows, name, heads) => {
       const columns = Math.max(...rows.map((row) => row.length));
-      const lines = rows.map((row) => `${row.map((x) => x.tex.replace(/^\[/, "{}[")).join(" & ")} \\\\`);
-      return [`\\begin{tabular}{l${"c".repeat(columns - 1)}}`, "\\hline", lines[0], "\\hline", ...lines.slice(1), "\\hline", "\\end{tabular}"].join("\n");
+      const lines = rows.map((row) => `${row.map((x) => x.tex.replace(/^\[/, "{}[") || "--").join(" & ")} \\\\`);
+      lines.splice(heads, 0, ...(heads ? ["\\hline"] : []));
+      return [`\\begin{tabular}{l${"c".repeat(columns - 1)}}`, "\\hline", ...lines, "\\hline", "\\end{tabular}"].join("\n");
     },
   };
   const TYPES = { csv: "text/csv", json: "application/json", tex: "application/x-tex" };
   const save = (table, end, exact) => {
     const name = title(table);
     const link = document.createElement("a");
-    link.href = URL.createObjectURL(new Blob([`${write[end](rowsOf(table, exact), name)}\n`], { type: `${TYPES[end]};charset=utf-8` }));
+    link.href = URL.createObjectURL(new Blob([`${write[end](rowsOf(table, exact), name, Number(Boolean(table.tHead)))}\n`], { type: `${TYPES[end]};charset=utf-8` }));
     link.download = `${name.toLowerCase().replace(/[^a-z0-9]+/g, "-").replace(/^-|-$/g, "").slice(0, 60) || "table"}.${end}`;
     link.click();
     setTimeout(() => URL.revokeObjectURL(link.href), 10000);

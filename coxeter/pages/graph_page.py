@@ -34,7 +34,7 @@ def controls(ledger: Ledger) -> str:
         for kind, (sign, told) in ZOOMS.items()
     )
     return (
-        '<form class="lg-controls lg-graph-controls" role="search" aria-label="The graph" hidden>'
+        '<form class="lg-controls lg-graph-controls" role="search" aria-label="Find and filter items" hidden>'
         f'<label>Find an item {find}</label><datalist id="lg-items">{names}</datalist>'
         f"{select('verdict', verdicts)}{select('strength', strengths)}"
         '<button type="reset">Show all</button>'

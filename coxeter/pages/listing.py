@@ -17,6 +17,7 @@ from .pills import CSS_NAMES, check, count, labelled, mark, plain_pill, reason
 from .wording import statement, to_html
 
 UNNUMBERED = tuple(f"sec{section}" for section in SECTIONS)
+HINT = "What is asked stands in the address of the page, which can be kept or sent."
 SORTS = ("verdict", "strength", "weight")
 """By what the rows can be sorted; the script takes the order of the values in the field of that name."""
 
@@ -91,7 +92,7 @@ def _controls(ledger: Ledger) -> str:
     return (
         f'<form class="lg-controls" role="search" aria-label="Claims" hidden><label>Search {search}</label>'
         f'{selects}{select("sort", SORTS, "paper order")}<button type="reset">Show all</button>'
-        f'<output aria-live="polite"></output></form>'
+        f'<output aria-live="polite"></output><p class="lg-quiet">{HINT}</p></form>'
     )
 
 
