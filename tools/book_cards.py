@@ -166,11 +166,17 @@ class Cards:
 
 def definition(node: nodes.Element) -> str:
     """An object of the library or a word of a glossary: its name, and the first sentence about it."""
-    name = " ".join(inline(node).replace("[source]", "").split())
-    if isinstance(node, addnodes.desc_signature):
-        name = f"<code>{name}</code>"
+    name = f"<code>{signature(node)}</code>" if isinstance(node, addnodes.desc_signature) else inline(node)
     about = next(iter(node.parent.findall(nodes.paragraph)), None)
     return brief(name, cut(about) if about is not None else "")
+
+
+def signature(node: nodes.Element) -> str:
+    """A signature as a line; Sphinx keeps names of types twice, for the case that they lead nowhere."""
+    only = node.deepcopy()
+    for other in [x for x in only.findall(addnodes.pending_xref_condition) if x["condition"] == "*"]:
+        other.parent.remove(other)
+    return html.escape(" ".join(only.astext().replace("[source]", "").split()), quote=False)
 
 
 def code_card(module: str, function: str) -> str | None:
@@ -209,7 +215,7 @@ def inline(node: nodes.Node) -> str:
         return html.escape(str(node), quote=False)
     if isinstance(node, nodes.math | nodes.math_block):
         return rf'<span class="{MATHS}">\({html.escape(node.astext(), quote=False)}\)</span>'
-    if isinstance(node, (*SILENT, book_extension.badge)) or node.get("condition") == "*":  # or said otherwise
+    if isinstance(node, (*SILENT, book_extension.badge)):
         return ""
     inner = "".join(map(inline, node.children))
     tag = {nodes.literal: "code", nodes.emphasis: "em", nodes.strong: "strong"}.get(type(node))
