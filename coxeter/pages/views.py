@@ -14,8 +14,9 @@ from .corrected_page import sheet_html
 from .errata import GROUPS, Erratum, errata
 from .errata_page import errata_table
 from .graph import drawing, in_words
+from .graph_page import graph_page
 from .judged import Ledger
-from .markup import downloads, scroll
+from .markup import downloads
 from .naming import Site
 from .trust import rates, trust
 
@@ -61,7 +62,7 @@ class Views:
         return {
             "summary": lambda: listing.summary_table(self.ledger),
             "listing": lambda: listing.listing(self.ledger, site),
-            "graph": lambda: scroll(drawing(self.ledger, site), "The graph"),
+            "graph": lambda: graph_page(self.ledger, site),
             "dependencies": lambda: in_words(self.ledger, site),
             "trust": lambda: trust(lines, self.ledger, site),
             "rates": rates,
