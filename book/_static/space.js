@@ -39,7 +39,7 @@
   const mesh = (points, triangles, color, opacity, more = {}) => ({
     ...plain, ...columns(points), type: "mesh3d", color, opacity, flatshading: true,
     i: triangles.map((t) => t[0]), j: triangles.map((t) => t[1]), k: triangles.map((t) => t[2]),
-    lighting: { ambient: 0.62, diffuse: 0.55, specular: 0.06, roughness: 0.9, fresnel: 0.02 }, ...more,
+    lighting: { ambient: 0.7, diffuse: 0.48, specular: 0.06, roughness: 0.9, fresnel: 0.02 }, ...more,
   });
 
   const tetrahedra = (solids, color, opacity, more) => mesh(
@@ -161,6 +161,7 @@
       this.figure.prepend(this.turn);
       this.figure.classList.add("cx-live");
       this.stage.addEventListener("keydown", (event) => this.pressed(event));
+      this.stage.addEventListener("wheel", (event) => event.stopPropagation(), { capture: true, passive: true }); // it scrolls the page
     }
 
     panel() {
@@ -396,7 +397,8 @@
 
     layout() {
       const c = colours();
-      const scale = (1.8 * HALF * this.state.zoom) / this.reach;
+      const narrow = Math.min(1, this.stage.clientWidth / this.stage.clientHeight || 1);
+      const scale = (1.8 * HALF * narrow * this.state.zoom) / this.reach;
       const axis = (i) => ({ visible: false, showspikes: false, range: [this.centre[i] - HALF, this.centre[i] + HALF] });
       return {
         margin: { l: 0, r: 0, t: 0, b: 0 }, paper_bgcolor: c.ground, showlegend: false, hovermode: false,
