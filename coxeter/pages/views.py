@@ -5,9 +5,10 @@ from __future__ import annotations
 import html
 from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass
-from functools import cached_property, lru_cache
+from functools import cached_property, lru_cache, partial
 
 from ..errors import InvalidInput
+from ..scenes import scene
 from . import errata_files, landing, listing
 from .corrected import Sheet, sheets
 from .corrected_page import sheet_html
@@ -21,6 +22,10 @@ from .naming import Site
 from .trust import rates, trust
 
 _sheets = lru_cache(maxsize=1)(sheets)
+
+
+def _scene(name: str) -> str:
+    return scene(name)._repr_html_()
 
 
 @dataclass(frozen=True, eq=False, repr=False)
@@ -69,6 +74,7 @@ class Views:
             "tilings": landing.tilings,
             "numbers": lambda: landing.numbers(self.ledger, site),
             "files": lambda: self._links(lines, site),
+            **{f"scene {name}": partial(_scene, name) for name in ("A~3", "B~3", "C~3")},
             **{f"errata {name}": group(name) for name in GROUPS},
             **{f"table {made.number}": sheet(made) for made in _sheets()},
         }
