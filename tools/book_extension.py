@@ -42,6 +42,7 @@ ASSETS = {
     "lg-notes": ("ledger.js",),
     "cx-scene": (PLOTLY, "space.js", "space.css"),
     "cx-explorer": (PLOTLY, "explorer.js", "explorer.css"),
+    "cx-chooser": ("choosing.js", "explorer.css"),
 }
 """Classes of elements, and the scripts and styles of the pages that have such elements."""
 

@@ -117,7 +117,7 @@
       const label = isScaled(state) ? exact : `${exact.includes("/") ? `(${exact})` : exact}/${power(state)}`;
       return {
         x: xs, y: xs.map((d) => (isScaled(state) ? Number(decimal) : Number(decimal) * d ** -exponent(q))), name: `limit ${label}`,
-        mode: "lines+text", text: xs.map((_, i) => (i === 120 ? label : "")), textposition: "top left", hoverinfo: "skip", cliponaxis: false,
+        mode: "lines+text", text: xs.map((_, i) => (i === 120 ? label : "")), textposition: "middle right", hoverinfo: "skip", cliponaxis: false,
         textfont: { color: colour("--cx-ink") }, line: { color: colour("--cx-ink"), width: 1.3, dash: "dash" },
       };
     });
@@ -139,7 +139,7 @@
     const log = (value, is) => (is ? Math.log10(value) : value);
     return {
       x: log(d - 1 + t, state.log), y: log(at, isLog(state)), text: `${[...pair].map(name).join(", ")} cross`,
-      showarrow: true, arrowhead: 0, arrowcolor: colour("--cx-ink"), ax: 28, ay: d % 2 ? -62 : -84, font: { color: colour("--cx-ink") },
+      showarrow: true, arrowhead: 0, arrowcolor: colour("--cx-ink"), ax: 30, ay: isScaled(state) ? -64 : 64, font: { color: colour("--cx-ink") },
     };
   });
   const highest = (state) => Math.max(...[...LETTERS, ...SINGLE].filter((x) => shown(x, state))
@@ -151,7 +151,7 @@
     const ticks = range(2, state.max).filter((d) => (state.log ? [2, 3, 4, 6, 8, 12, 16, 24, 32, 48, 64].includes(d) : d === 2 || d % step === 0));
     const ends = [2 - state.max / 45, state.max + state.max / 45];
     return {
-      margin: { l: 52, r: 14, t: 14, b: 44 }, height: 430, showlegend: false, dragmode: false, hovermode: "closest",
+      margin: { l: 52, r: state.limits ? 62 : 14, t: 14, b: 44 }, height: 430, showlegend: false, dragmode: false, hovermode: "closest",
       paper_bgcolor: "rgba(0,0,0,0)", plot_bgcolor: "rgba(0,0,0,0)", font: { color: colour("--cx-ink"), size: 13, family: getComputedStyle(figure).fontFamily },
       xaxis: { ...axis, title: { text: "dimension d" }, type: state.log ? "log" : "linear", tickvals: ticks, tickangle: 0, range: state.log ? [Math.log10(1.9), Math.log10(state.max * 1.06)] : ends },
       yaxis: { ...axis, title: { text: words }, type: isLog(state) ? "log" : "linear", exponentformat: "power", ...(isLog(state) || isScaled(state) ? {} : { range: [0, 1.06 * highest(state)] }) },

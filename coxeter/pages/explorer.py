@@ -98,8 +98,8 @@ def _drawings() -> str:
 def _orders() -> str:
     parts = "".join(_order(measure) for measure in MEASURES)
     preface = (
-        '<p class="lg-quiet">By the greater value, in all dimensions in which both exist; normalised or not, the '
-        "order is the same.</p>"
+        '<p class="lg-quiet">By the greater value, in all dimensions in which both exist. Normalised or not, '
+        "the order is the same.</p>"
     )
     return f'<section class="cx-orders"><h3>Which is ahead</h3>{preface}{parts}</section>'
 
