@@ -43,6 +43,7 @@ ASSETS = {
     "<table": ("tables.js",),
     "cx-scene": (PLOTLY, "space.js", "space.css"),
     "cx-explorer": (PLOTLY, "explorer.js", "explorer.css"),
+    "cx-chooser": ("choosing.js", "explorer.css"),
 }
 """Classes of elements, or elements, and the scripts and styles of the pages that have them."""
 
