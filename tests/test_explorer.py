@@ -479,6 +479,6 @@ def test_the_form_answers(page):
     page.check("[name=need][value=plain]")
     assert answer("Without these needs").startswith("C6")
     page.check("[name=need][value=protected]")
-    assert "No Coxeter triangulation of dimension 6" in answer("None")
+    assert "dimension 6 offers all of this: protected and d coordinates" in answer("None")
     page.fill(".cx-chooser [name=d]", "65")
     assert answer("Give") == "Give a dimension from 2 to 64."

@@ -151,12 +151,13 @@
   const layout = (state) => {
     const axis = { color: colour("--cx-ink"), gridcolor: colour("--cx-grid"), zeroline: false, fixedrange: true };
     const words = `${state.raw ? measure(state).name : `normalised ${measure(state).title}`}${isScaled(state) ? `, times ${power(state)}` : ""}`;
-    const step = [1, 2, 4, 8].find((n) => state.max / n <= (plot.clientWidth < 500 ? 9 : 16)) ?? 8;
+    const narrow = plot.clientWidth < 500;
+    const step = [1, 2, 4, 8].find((n) => state.max / n <= (narrow ? 9 : 16)) ?? 8;
     const ticks = range(2, state.max).filter((d) => (state.log ? state.max <= 12 || [2, 3, 4, 6, 8, 12, 16, 24, 32, 48, 64].includes(d) : d === 2 || d % step === 0));
     const ends = [2 - state.max / 45, state.max + state.max / 45];
     return {
-      margin: { l: 52, r: state.limits ? 62 : 14, t: 14, b: 44 }, height: 430, showlegend: false, dragmode: false, hovermode: "closest",
-      paper_bgcolor: "rgba(0,0,0,0)", plot_bgcolor: "rgba(0,0,0,0)", font: { color: colour("--cx-ink"), size: 13, family: getComputedStyle(figure).fontFamily },
+      margin: { l: narrow ? 46 : 52, r: state.limits ? 58 : 14, t: 14, b: 44 }, height: 430, showlegend: false, dragmode: false, hovermode: "closest",
+      paper_bgcolor: "rgba(0,0,0,0)", plot_bgcolor: "rgba(0,0,0,0)", font: { color: colour("--cx-ink"), size: narrow ? 12 : 13, family: getComputedStyle(figure).fontFamily },
       xaxis: { ...axis, title: { text: "dimension d" }, type: state.log ? "log" : "linear", tickvals: ticks, tickangle: 0, range: state.log ? [Math.log10(1.9), Math.log10(state.max * 1.06)] : ends },
       yaxis: { ...axis, title: { text: words }, type: isLog(state) ? "log" : "linear", exponentformat: "power", ...(isLog(state) || isScaled(state) ? {} : { range: [0, 1.06 * highest(state)] }) },
       shapes: [{ type: "line", x0: state.d, x1: state.d, yref: "paper", y0: 0, y1: 1, layer: "below", line: { color: colour("--cx-here"), width: 6 } }],
