@@ -102,7 +102,7 @@
       type: "scatter", mode: single ? "markers+text" : ds.length > 1 ? "lines+markers" : "markers",
       line: { color: tone, width: 2.2, dash: DASHES[family] },
       marker: { color: tone, symbol: SYMBOLS[single ? "X" : family], size: single ? 11 : ds.length > 32 ? 6 : 8, line: { color: tone, width: single ? 2.5 : 0 } },
-      ...(single && { texttemplate: name(family), textposition: "middle right", textfont: { color: tone } }),
+      ...(single && { texttemplate: name(family), textposition: plot.clientWidth < 500 ? "bottom center" : "middle right", textfont: { color: tone } }),
     };
   };
   const limits = (state) => {
@@ -143,7 +143,7 @@
     const log = (value, is) => (is ? Math.log10(value) : value);
     return {
       x: log(d - 1 + t, state.log), y: log(at, isLog(state)), text: `${[...pair].map(name).join(", ")} cross`,
-      showarrow: true, arrowhead: 0, arrowcolor: colour("--cx-ink"), ax: 30, ay: isScaled(state) ? -64 : 64, font: { color: colour("--cx-ink") },
+      showarrow: true, arrowhead: 0, arrowcolor: colour("--cx-ink"), ax: 30, ay: isScaled(state) ? -64 : plot.clientWidth < 500 ? 108 : 64, font: { color: colour("--cx-ink") },
     };
   });
   const highest = (state) => Math.max(...[...LETTERS, ...SINGLE].filter((x) => shown(x, state))
@@ -200,7 +200,7 @@
   const read = (state) => {
     const table = document.createElement("table");
     const head = table.createTHead().insertRow();
-    ["type", "value", "exact", "printed"].forEach((text) => { cell(head, "th", text).scope = "col"; });
+    ["type", "value", "exact"].forEach((text) => { cell(head, "th", text).scope = "col"; });
     const body = table.createTBody();
     order(state.d, state).flat().forEach((family) => {
       const value = entry(family, state.d, state);
@@ -215,9 +215,11 @@
         full.innerHTML = "<summary>in full</summary>";
         full.append(value[3]);
       }
-      const printed = cell(row, "td", "");
       wrong(family, state.d, state).forEach((x) => {
-        const link = printed.appendChild(document.createElement("div")).appendChild(document.createElement("a"));
+        const printed = cell(body.insertRow(), "td", "printed ");
+        printed.colSpan = 3;
+        printed.className = "cx-printed";
+        const link = printed.appendChild(document.createElement("a"));
         link.href = x[7];
         link.textContent = `${x[4]} (${x[6]})`;
       });

@@ -142,16 +142,15 @@ def _misprint(x: Misprint, ledger: Ledger, site: Site) -> str:
 
 
 def _tables() -> str:
-    return "".join(
-        folded(
-            f"Numbers: {words(measure) if not raw else measure.replace('_', ' ')}, "
-            f"{'not ' if raw else ''}normalised",
-            _table(measure, raw),
-            "cx-numbers",
-        )
-        for raw in (False, True)
-        for measure in MEASURES
-    )
+    parts = "".join(_numbers(measure, raw) for raw in (False, True) for measure in MEASURES)
+    return f'<div class="cx-tables">{parts}</div>'
+
+
+def _numbers(measure: str, raw: bool) -> str:
+    if raw:
+        name = f"Numbers: {measure.replace('_', ' ')}, not normalised"
+        return folded(name, _table(measure, raw), '"cx-numbers cx-raw"')
+    return folded(f"Numbers: {words(measure)}, normalised", _table(measure, raw), "cx-numbers")
 
 
 def _table(measure: str, raw: bool) -> str:
