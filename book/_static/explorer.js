@@ -102,6 +102,7 @@
       type: "scatter", mode: single ? "markers+text" : ds.length > 1 ? "lines+markers" : "markers",
       line: { color: tone, width: 2.2, dash: DASHES[family] },
       marker: { color: tone, symbol: SYMBOLS[single ? "X" : family], size: single ? 11 : ds.length > 32 ? 6 : 8, line: { color: tone, width: single ? 2.5 : 0 } },
+      cliponaxis: !single,
       ...(single && { texttemplate: name(family), textposition: plot.clientWidth < 500 ? "bottom center" : "middle right", textfont: { color: tone } }),
     };
   };
