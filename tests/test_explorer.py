@@ -5,13 +5,17 @@ import gzip
 import io
 import json
 import re
+import shutil
 from decimal import Decimal, localcontext
 from functools import cache
+from importlib.util import find_spec
 from itertools import combinations, product
+from pathlib import Path
 
 import networkx
 import pytest
 from bs4 import BeautifulSoup
+from playwright.sync_api import sync_playwright
 from run_notebooks import ROOT
 
 import coxeter
@@ -391,3 +395,90 @@ def test_the_examples_in_the_table_are_true():
 
 def test_all_definitions_have_curves():
     assert set(MEASURES) == set(DEFINITIONS)
+
+
+# -- in a browser --------------------------------------------------------------------------------------------
+
+
+@pytest.fixture(scope="module")
+def page(text, ledger, tmp_path_factory):
+    """The figure and the form, with nothing of the site around them."""
+    chromium = shutil.which("chromium")
+    if chromium is None:
+        pytest.skip("no browser: install chromium to operate the explorer")
+    folder = tmp_path_factory.mktemp("explorer")
+    static = ROOT / "book" / "_static"
+    plotly = Path(find_spec("plotly").origin).parent / "package_data" / "plotly.min.js"
+    scripts = "".join(f'<script defer src="{x.as_uri()}"></script>' for x in
+                      (plotly, static / "explorer.js", static / "choosing.js"))  # fmt: skip
+    form = CHOICES["form"](ledger, SITE)
+    style = f'<link rel="stylesheet" href="{(static / "explorer.css").as_uri()}">'
+    (folder / "page.html").write_text(f'<meta charset="utf-8">{style}{scripts}<body>{text}{form}', "utf-8")
+    with sync_playwright() as driver:
+        browser = driver.chromium.launch(executable_path=chromium, args=["--no-sandbox", "--disable-gpu"])
+        opened = browser.new_page(viewport={"width": 375, "height": 812})
+        opened.errors = []
+        opened.on("pageerror", lambda error: opened.errors.append(str(error)))
+        opened.goto((folder / "page.html").as_uri() + "#measure=radius_ratio&families=B,C,D&max=12")
+        yield opened
+        assert opened.errors == []
+        browser.close()
+
+
+def summary(page, words):
+    page.wait_for_function(
+        "words => document.querySelector('.cx-summary').textContent.includes(words)", arg=words
+    )
+    return page.inner_text(".cx-summary")
+
+
+def test_the_address_chooses_the_view(page):
+    told = summary(page, "d = 2 to 12")
+    assert "Normalised radius ratio" in told
+    for d in (6, 10):
+        assert f"cross between d = {d - 1} and d = {d}" in told
+    greatest = "C for d = 2 to 3; D for d = 4 to 5; C for d = 6 to 12"
+    assert greatest in told.replace("\N{COMBINING TILDE}", "")
+    assert page.evaluate("document.documentElement.scrollWidth <= innerWidth")
+
+
+def test_controls_and_keys_change_the_view_and_the_address(page):
+    page.select_option("select[name=measure]", "thickness")
+    page.focus("[name=max]")
+    page.keyboard.press("ArrowLeft")
+    assert "Wrong printed values: 2" in summary(page, "d = 2 to 11")
+    assert page.evaluate("location.hash").startswith("#measure=thickness&families=B,C,D&max=11")
+    page.focus("[name=d]")
+    page.keyboard.press("Home")
+    page.keyboard.press("ArrowRight")
+    assert "√3/4" in page.inner_text(".cx-values")
+    link = page.locator(".cx-values a", has_text="0.500")
+    assert link.get_attribute("href").endswith("book/ledger.html#claim-tab-6.B.3")
+    assert (
+        page.get_attribute("[name=d]", "aria-valuetext").replace("\N{COMBINING TILDE}", "") == "d = 3: C > B"
+    )
+
+
+def test_what_is_asked_for_in_vain(page):
+    page.select_option("select[name=measure]", "fatness")
+    page.check("[name=raw]")
+    assert "no limit curve" in summary(page, "not normalised")
+    assert page.is_disabled("[name=scaled]")
+    page.evaluate("location.hash = '#measure=girth&families=Z&max=999&d=x'")
+    assert "d = 2 to 64" in summary(page, "Normalised radius ratio")
+
+
+def test_the_form_answers(page):
+    def answer(words):
+        page.wait_for_function(
+            "words => document.querySelector('.cx-answer').innerText.includes(words)", arg=words
+        )
+        return page.inner_text(".cx-answer").replace("\N{COMBINING TILDE}", "")
+
+    assert answer("3√14/14").startswith("A6")
+    page.check("[name=need][value=plain]")
+    assert answer("Without these needs").startswith("C6")
+    page.check("[name=need][value=protected]")
+    assert "dimension 6 offers all of this: protected and d coordinates" in answer("None")
+    page.fill(".cx-chooser [name=d]", "65")
+    assert answer("Give") == "Give a dimension from 2 to 64."

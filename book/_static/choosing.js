@@ -20,7 +20,7 @@
     const [first, second] = fitting(measure, d, needed);
     if (!first) {
       const asked = list(needed.map((name) => data.offers[name][0]));
-      return `<p class="cx-chosen">None</p><p>No Coxeter triangulation of dimension ${d} is ${asked}.</p>`;
+      return `<p class="cx-chosen">None</p><p>No Coxeter triangulation of dimension ${d} offers all of this: ${asked}.</p>`;
     }
     const [top] = data.orders[measure][d];
     const offered = Object.keys(data.offers).filter((name) => first[0].every((type) => data.types[d][type].includes(name)));

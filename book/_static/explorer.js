@@ -102,7 +102,8 @@
       type: "scatter", mode: single ? "markers+text" : ds.length > 1 ? "lines+markers" : "markers",
       line: { color: tone, width: 2.2, dash: DASHES[family] },
       marker: { color: tone, symbol: SYMBOLS[single ? "X" : family], size: single ? 11 : ds.length > 32 ? 6 : 8, line: { color: tone, width: single ? 2.5 : 0 } },
-      ...(single && { texttemplate: name(family), textposition: "middle right", textfont: { color: tone } }),
+      cliponaxis: !single,
+      ...(single && { texttemplate: name(family), textposition: plot.clientWidth < 500 ? "bottom center" : "middle right", textfont: { color: tone } }),
     };
   };
   const limits = (state) => {
@@ -125,11 +126,15 @@
   const misprints = (state) => {
     const found = data.printed.filter((x) => x[0] === state.measure && x[1] === (state.raw ? "raw" : "normalised") && x[3] <= state.max && shown(x[2], state));
     const factor = (x) => (isScaled(state) ? x[3] ** exponent(Object.values(scale(state).limits)[0][2]) : 1);
-    return {
+    const gaps = {
+      x: found.flatMap((x) => [x[3], x[3], null]), mode: "lines", hoverinfo: "skip", line: { color: colour("--cx-ink"), width: 1.3, dash: "1px,3px" },
+      y: found.flatMap((x) => [height(entry(x[2], x[3], state), state), Number(x[5]) * factor(x), null]),
+    };
+    return [gaps, {
       x: found.map((x) => x[3]), y: found.map((x) => Number(x[5]) * factor(x)), customdata: found.map((x) => [x[2], x[3]]),
       text: found.map((x) => hover(x[2], x[3], state)), hovertemplate: "%{text}<extra></extra>", name: "wrong printed values", mode: "markers",
       marker: { symbol: "circle-open", size: 15, color: colour("--cx-ink"), line: { width: 1.8 } },
-    };
+    }];
   };
   const crossing = (state) => measure(state).cross.filter(([pair, d]) => d <= state.max && [...pair].every((x) => shown(x, state)));
   const crossings = (state) => crossing(state).map(([pair, d]) => {
@@ -139,7 +144,7 @@
     const log = (value, is) => (is ? Math.log10(value) : value);
     return {
       x: log(d - 1 + t, state.log), y: log(at, isLog(state)), text: `${[...pair].map(name).join(", ")} cross`,
-      showarrow: true, arrowhead: 0, arrowcolor: colour("--cx-ink"), ax: 30, ay: isScaled(state) ? -64 : 64, font: { color: colour("--cx-ink") },
+      showarrow: true, arrowhead: 0, arrowcolor: colour("--cx-ink"), ax: 30, ay: isScaled(state) ? -64 : plot.clientWidth < 500 ? 108 : 64, font: { color: colour("--cx-ink") },
     };
   });
   const highest = (state) => Math.max(...[...LETTERS, ...SINGLE].filter((x) => shown(x, state))
@@ -147,22 +152,23 @@
   const layout = (state) => {
     const axis = { color: colour("--cx-ink"), gridcolor: colour("--cx-grid"), zeroline: false, fixedrange: true };
     const words = `${state.raw ? measure(state).name : `normalised ${measure(state).title}`}${isScaled(state) ? `, times ${power(state)}` : ""}`;
-    const step = [1, 2, 4, 8].find((n) => state.max / n <= (plot.clientWidth < 500 ? 9 : 16)) ?? 8;
-    const ticks = range(2, state.max).filter((d) => (state.log ? [2, 3, 4, 6, 8, 12, 16, 24, 32, 48, 64].includes(d) : d === 2 || d % step === 0));
+    const narrow = plot.clientWidth < 500;
+    const step = [1, 2, 4, 8].find((n) => state.max / n <= (narrow ? 9 : 16)) ?? 8;
+    const ticks = range(2, state.max).filter((d) => (state.log ? state.max <= 12 || [2, 3, 4, 6, 8, 12, 16, 24, 32, 48, 64].includes(d) : d === 2 || d % step === 0));
     const ends = [2 - state.max / 45, state.max + state.max / 45];
     return {
-      margin: { l: 52, r: state.limits ? 62 : 14, t: 14, b: 44 }, height: 430, showlegend: false, dragmode: false, hovermode: "closest",
-      paper_bgcolor: "rgba(0,0,0,0)", plot_bgcolor: "rgba(0,0,0,0)", font: { color: colour("--cx-ink"), size: 13, family: getComputedStyle(figure).fontFamily },
+      margin: { l: narrow ? 46 : 52, r: state.limits ? 58 : 14, t: 14, b: 44 }, height: 430, showlegend: false, dragmode: false, hovermode: "closest",
+      paper_bgcolor: "rgba(0,0,0,0)", plot_bgcolor: "rgba(0,0,0,0)", font: { color: colour("--cx-ink"), size: narrow ? 12 : 13, family: getComputedStyle(figure).fontFamily },
       xaxis: { ...axis, title: { text: "dimension d" }, type: state.log ? "log" : "linear", tickvals: ticks, tickangle: 0, range: state.log ? [Math.log10(1.9), Math.log10(state.max * 1.06)] : ends },
       yaxis: { ...axis, title: { text: words }, type: isLog(state) ? "log" : "linear", exponentformat: "power", ...(isLog(state) || isScaled(state) ? {} : { range: [0, 1.06 * highest(state)] }) },
       shapes: [{ type: "line", x0: state.d, x1: state.d, yref: "paper", y0: 0, y1: 1, layer: "below", line: { color: colour("--cx-here"), width: 6 } }],
       annotations: crossings(state),
-      hoverlabel: { bgcolor: colour("--cx-paper"), bordercolor: colour("--cx-ink"), font: { color: colour("--cx-ink") }, align: "left" },
+      hoverlabel: { bgcolor: colour("--cx-paper"), bordercolor: colour("--cx-ink"), font: { color: colour("--cx-ink"), family: getComputedStyle(figure).fontFamily }, align: "left" },
     };
   };
   const draw = (state) => {
     const curves = [...LETTERS, ...SINGLE].filter((x) => shown(x, state)).map((x) => curve(x, state));
-    const traces = [...(state.limits ? limits(state) : []), ...curves, ...(state.printed ? [misprints(state)] : [])];
+    const traces = [...(state.limits ? limits(state) : []), ...curves, ...(state.printed ? misprints(state) : [])];
     return window.Plotly.react(plot, traces, layout(state), { displayModeBar: false, responsive: true, scrollZoom: false });
   };
 
@@ -184,7 +190,7 @@
   const summary = (state) => {
     const what = state.raw ? `${measure(state).name}, not normalised` : `Normalised ${measure(state).title}`;
     if (!state.families.length) return "No family is chosen.";
-    const n = misprints(state).x.length;
+    const n = misprints(state)[1].x.length;
     const parts = [`${what[0].toUpperCase()}${what.slice(1)}, d = 2 to ${state.max}. Greatest of those shown: ${greatest(state)}.`];
     crossing(state).forEach(([pair, d]) => parts.push(`${[...pair].map(name).join(" and ")} cross between d = ${d - 1} and d = ${d}.`));
     parts.push(n ? `Wrong printed values: ${n}.` : "No wrong printed value.");
@@ -195,7 +201,7 @@
   const read = (state) => {
     const table = document.createElement("table");
     const head = table.createTHead().insertRow();
-    ["type", "value", "exact", "printed"].forEach((text) => { cell(head, "th", text).scope = "col"; });
+    ["type", "value", "exact"].forEach((text) => { cell(head, "th", text).scope = "col"; });
     const body = table.createTBody();
     order(state.d, state).flat().forEach((family) => {
       const value = entry(family, state.d, state);
@@ -210,8 +216,10 @@
         full.innerHTML = "<summary>in full</summary>";
         full.append(value[3]);
       }
-      const printed = cell(row, "td", "");
       wrong(family, state.d, state).forEach((x) => {
+        const printed = cell(body.insertRow(), "td", "printed ");
+        printed.colSpan = 3;
+        printed.className = "cx-printed";
         const link = printed.appendChild(document.createElement("a"));
         link.href = x[7];
         link.textContent = `${x[4]} (${x[6]})`;

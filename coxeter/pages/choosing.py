@@ -125,7 +125,7 @@ def _named(kind: Type) -> str:
 
 def _dimensions(ledger: Ledger, site: Site) -> str:
     """By dimension: the best type by each measure, the next, and who offers what."""
-    asked = {name: told for name, (told, _, _) in OFFERS.items() if name != "plain"}
+    asked = {name: OFFERS[name][0] for name in ("delaunay", "lattice")}
     head = ("d", *map(_measure_head, MEASURES), *map(html.escape, asked.values()))
     rows = "".join(
         row(str(d), (*(_podium(m, d) for m in MEASURES), *(_having(d, name) for name in asked)))
@@ -152,8 +152,9 @@ def _step(measure: str, equal: list[Type]) -> str:
 def _for_every_d() -> str:
     """The last row: what is proved of the best type and the next."""
     families = {name: [x for x in MINIMAL_DIMENSION if offers(Type(x, MAX_DIM))[name]] for name in OFFERS}
-    asked = (name for name in OFFERS if name != "plain")
-    having = (", ".join(to_html(f"{letter}~_d") for letter in families[name]) for name in asked)
+    having = (
+        ", ".join(to_html(f"{letter}~_d") for letter in families[name]) for name in ("delaunay", "lattice")
+    )
     return row("every d", (*map(_best_two, MEASURES), *having), "cx-every")
 
 
@@ -194,7 +195,7 @@ def _cost(ledger: Ledger, site: Site) -> str:
         row(_measure_head(m), (*(_share(m, d) for d in shown), _share_in_the_limit(m))) for m in MEASURES
     )
     head = ("measure", *(f"d = {d}" for d in shown), to_html(r"limit for $d \to \infty$"))
-    return table("lg-sheet", head, f"<tbody>{rows}</tbody>", "What d coordinates cost")
+    return table("lg-sheet cx-small", head, f"<tbody>{rows}</tbody>", "What d coordinates cost")
 
 
 def _share(measure: str, d: int) -> str:

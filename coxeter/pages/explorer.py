@@ -101,7 +101,7 @@ def _orders() -> str:
         '<p class="lg-quiet">By the greater value, in all dimensions in which both exist. Normalised or not, '
         "the order is the same.</p>"
     )
-    return f'<section class="cx-orders"><h3>Which is ahead</h3>{preface}{parts}</section>'
+    return f'<section class="cx-orders"><h2>Which is ahead</h2>{preface}{parts}</section>'
 
 
 def _order(measure: str) -> str:
@@ -113,7 +113,7 @@ def _order(measure: str) -> str:
         f'<li data-families="X">{to_html(in_dimension(measure, d))}</li>' for d in EXCEPTIONAL_DIMENSIONS
     )
     return (
-        f'<div data-measure="{measure}"><h4>By {words(measure)}</h4><ul>{pairs}</ul>'
+        f'<div data-measure="{measure}"><h3>By {words(measure)}</h3><ul>{pairs}</ul>'
         f'<ul class="cx-single">{single}</ul></div>'
     )
 
@@ -125,7 +125,7 @@ def _misprints(wrong: Iterable[Misprint], ledger: Ledger, site: Site) -> str:
         by_claim.setdefault(x.claim, x)
     rows = "".join(_misprint(x, ledger, site) for x in by_claim.values())
     return (
-        '<section class="cx-wrong"><h3>What is printed otherwise</h3>'
+        '<section class="cx-wrong"><h2>What is printed otherwise</h2>'
         '<p class="lg-quiet cx-none" hidden>Nothing of what is shown is printed wrong.</p>'
         f"<ul>{rows}</ul></section>"
     )
@@ -142,16 +142,15 @@ def _misprint(x: Misprint, ledger: Ledger, site: Site) -> str:
 
 
 def _tables() -> str:
-    return "".join(
-        folded(
-            f"Numbers: {words(measure) if not raw else measure.replace('_', ' ')}, "
-            f"{'not ' if raw else ''}normalised",
-            _table(measure, raw),
-            "cx-numbers",
-        )
-        for raw in (False, True)
-        for measure in MEASURES
-    )
+    parts = "".join(_numbers(measure, raw) for raw in (False, True) for measure in MEASURES)
+    return f'<div class="cx-tables">{parts}</div>'
+
+
+def _numbers(measure: str, raw: bool) -> str:
+    if raw:
+        name = f"Numbers: {measure.replace('_', ' ')}, not normalised"
+        return folded(name, _table(measure, raw), '"cx-numbers cx-raw"')
+    return folded(f"Numbers: {words(measure)}, normalised", _table(measure, raw), "cx-numbers")
 
 
 def _table(measure: str, raw: bool) -> str:

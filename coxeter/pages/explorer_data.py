@@ -87,6 +87,6 @@ def _entry(measure: str, kind: Type, quality: Quality, raw: bool) -> list[str]:
 def _printed_data(wrong: Iterable[Misprint], site: Site) -> list[list[Any]]:
     return [
         [x.measure, "raw" if x.raw else "normalised", x.family, x.d, readable(x.printed), rounded(x.value),
-         name_of(x.claim), site.claim(x.claim)]
+         name_of(x.claim).replace("~", "\N{COMBINING TILDE}"), site.claim(x.claim)]
         for x in wrong
     ]  # fmt: skip
