@@ -1,8 +1,8 @@
 """The book's gallery: figures by name, with captions of their own and with files to take away.
 
-``:::{drawing} figure-3`` shows a figure of `coxeter.figures.gallery`; what is written in it is the caption. The
-files, SVG, PDF and PNG, are written at the end, next to the other downloads; those for paper are kept beside
-the pages from one build to the next, as painting them takes a while.
+``:::{drawing} figure-3`` shows a figure of `coxeter.figures.gallery`; what is written in it is the caption.
+The files, SVG, PDF and PNG, are written at the end, next to the other downloads; they are kept from one build
+to the next, as painting them takes a while.
 """
 
 import hashlib
