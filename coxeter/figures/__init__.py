@@ -24,6 +24,7 @@ from .of_paper import paper_figure
 from .protection import protection_spheres
 from .root_systems import root_system_plane
 from .spike import lemma_10_witness
+from .tilings import tiling
 from .trapezoids import lemma_4_witness
 from .triangulations import plane_triangulation
 
@@ -50,4 +51,5 @@ __all__ = [
     "quality_curves",
     "root_system_plane",
     "sphere_not_empty",
+    "tiling",
 ]

@@ -117,7 +117,8 @@ def _words(data: AngleClasses) -> str:
     for s in data.roots:
         kinds[s[1:]] = kinds.get(s[1:], 0) + 1
     listed = [
-        f"{180 * angle}°: {count} of length {'' if ratio == 1 else words(ratio)}|r|, n(s, r) = {n_sr}, n(r, s) = {n_rs}"
+        f"{180 * angle}°: {count} of length {'' if ratio == 1 else words(ratio)}|r|, "
+        f"n(s, r) = {n_sr}, n(r, s) = {n_rs}"
         for (angle, ratio, n_sr, n_rs), count in kinds.items()
     ]
     return (

@@ -1,4 +1,4 @@
-"""The pictures of Appendix A: the distances in the proof of Lemma 9, and the obtuse triangle of Lemma 10 (Figure 12)."""
+"""The pictures of Appendix A: distances for Lemma 9, an obtuse triangle for Lemma 10 (Figure 12)."""
 
 from __future__ import annotations
 
@@ -13,6 +13,7 @@ from .canvas import BLUE, FINE, GREEN, LABEL, PURPLE, SMALL, VERMILLION, Canvas,
 from .figure import Figure
 from .legends import area_key, legend, line_key, point_key
 from .marks import arc, extent, right_angle, sheet, toward
+from .plane import squared_distance
 from .written import words
 
 TRIANGLE = ((0, 0), (14, 0), (5, 12))
@@ -58,7 +59,7 @@ def lemma_9_distances() -> Figure[Distances]:
     """The distances in the proof of Lemma 9, as on the left of Figure 12.
 
     >>> [str(x) for x in lemma_9_distances().data.distances]
-    ['5/3', '52/15', '3']
+    ['3', '81/13', '3']
     """
     simplex = Simplex(TRIANGLE)
     shares = simplex.barycentric(INSIDE)
@@ -71,7 +72,7 @@ def lemma_9_distances() -> Figure[Distances]:
         simplex.heights,
         tuple(x * h for x, h in zip(shares, simplex.heights, strict=True)),
         tuple(2 * simplex.volume / h for h in simplex.heights),
-        tuple(sqrt(_square(p, v)) for v in points),
+        tuple(sqrt(squared_distance(p, v)) for v in points),
     )
     return Figure(
         "The distances in the proof of Lemma 9", _distances_in_words(data), data, lambda: _draw_9(data)
@@ -82,10 +83,6 @@ def _vector(x: tuple[int, ...]) -> Vector:
     return tuple(Fraction(c) for c in x)
 
 
-def _square(p: Vector, q: Vector) -> Fraction:
-    return sum(((a - b) ** 2 for a, b in zip(p, q, strict=True)), Fraction(0))
-
-
 def _distances_in_words(data: Distances) -> str:
     i = len(data.simplex) - 1
     total = sum((f * r for f, r in zip(data.facets, data.distances, strict=True)), Surd(0))
@@ -93,10 +90,10 @@ def _distances_in_words(data: Distances) -> str:
     return (
         f"The triangle {', '.join(f'v_{k} = {show(v)}' for k, v in enumerate(data.simplex))}, and p = "
         f"{show(data.p)} inside it, joined to the vertices. For i = {i}: the height from v_i is h_i = "
-        f"{data.heights[i]}, p is at distance r_i = {data.distances[i]} from the opposite side, of length F_i = "
-        f"{data.facets[i]}. The segment from p to v_i, of length {words(data.to_vertices[i])}, is the hypotenuse "
-        f"of a right triangle with the leg h_i - r_i = {leg}. Together p and the side i make a triangle with the "
-        f"height r_i; the sum of all F_i r_i is {total}, twice the area."
+        f"{data.heights[i]}, p is at distance r_i = {data.distances[i]} from the opposite side, of length "
+        f"F_i = {data.facets[i]}. The segment from p to v_i, of length {words(data.to_vertices[i])}, is the "
+        f"hypotenuse of a right triangle with the leg h_i - r_i = {leg}. Together p and the side i make a "
+        f"triangle with the height r_i; the sum of all F_i r_i is {total}, twice the area."
     )
 
 
@@ -168,10 +165,8 @@ def lemma_10_plane() -> Figure[Obtuse]:
     simplex = Simplex(OBTUSE)
     a, b, p = simplex.vertex_matrix.rows()
     if simplex.circumcentre_coordinates[2] >= 0 or a[1] or b[1]:
-        raise InvalidInput(
-            "the last vertex is to be opposite to a level side that separates the circumcentre"
-        )
-    end, other = sorted((a, b), key=lambda v: -_square(v, p))
+        raise InvalidInput("the last vertex is to be opposite to a level side that separates the centre")
+    end, other = sorted((a, b), key=lambda v: -squared_distance(v, p))
     data = Obtuse(
         (end, other),
         p,
@@ -179,23 +174,19 @@ def lemma_10_plane() -> Figure[Obtuse]:
         tuple(rational(x) for x in simplex.circumcentre),
         simplex.squared_circumradius,
         simplex.squared_heights[2],
-        _square(end, p),
+        squared_distance(end, p),
     )
-    return Figure(
-        "The height and the longest edge in the proof of Lemma 10",
-        _obtuse_words(data),
-        data,
-        lambda: _draw_10(data),
-    )
+    title = "The height and the longest edge in the proof of Lemma 10"
+    return Figure(title, _obtuse_words(data), data, lambda: _draw_10(data))
 
 
 def _obtuse_words(data: Obtuse) -> str:
     return (
         f"The triangle {show(data.facet[0])}, {show(data.facet[1])}, p = {show(data.p)}, obtuse at p. Its "
-        f"circumcentre c = {show(data.circumcentre)} lies beyond the side τ opposite to p. The height from p has "
-        f"h = {words(sqrt(data.squared_height))}, the longest edge at p L = {words(sqrt(data.squared_longest))}: "
-        f"h²/L² = {data.squared_height / data.squared_longest}, less than 1/2, so the angle between the edge and τ "
-        "is less than π/4."
+        f"circumcentre c = {show(data.circumcentre)} lies beyond the side τ opposite to p. The height from "
+        f"p has h = {words(sqrt(data.squared_height))}, the longest edge at p L = "
+        f"{words(sqrt(data.squared_longest))}: h²/L² = {data.squared_height / data.squared_longest}, less "
+        "than 1/2, so the angle between the edge and τ is less than π/4."
     )
 
 

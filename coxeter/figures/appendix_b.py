@@ -1,4 +1,4 @@
-"""The picture of Appendix B: two neighbours, their circles, and the gap in the proof of Lemma 4 (Figure 13)."""
+"""The picture of Appendix B: two neighbours and their circles, and a gap in a proof (Figure 13)."""
 
 from __future__ import annotations
 
@@ -89,9 +89,7 @@ def lemma_4_circles(apex: object = 6) -> Figure[Neighbours]:
     """
     height = rational(apex)
     if height <= 0:
-        raise InvalidInput(
-            f"the apex at height {height} does not lie beyond the common side: give a number > 0"
-        )
+        raise InvalidInput(f"the apex at height {height} does not lie beyond the side: give a number > 0")
     own, other = Simplex([*FACET, APEX]), Simplex([*FACET, (2, height)])
     a, q, p = own.vertex_matrix.rows()
     c, d = (tuple(rational(x) for x in s.circumcentre) for s in (own, other))
@@ -113,10 +111,10 @@ def lemma_4_circles(apex: object = 6) -> Figure[Neighbours]:
 def _words(data: Neighbours) -> str:
     corners = [f"{show(data.facet[0])}, q = {show(data.facet[1])}"]
     text = (
-        f"The triangle σ with corners {corners[0]}, p = {show(data.apex)} below the side τ, and its neighbour σ' "
-        f"above, with the apex {show(data.other_apex)}. On the line ℓ at right angles to τ through its midpoint o "
-        f"= {show(data.middle)} lie the circumcentres: c at height {data.centre[1]}, above τ and so outside σ, and "
-        f"c' at height {data.other_centre[1]}. "
+        f"The triangle σ with corners {corners[0]}, p = {show(data.apex)} below the side τ, and its "
+        f"neighbour σ' above, with the apex {show(data.other_apex)}. On the line ℓ at right angles to τ "
+        f"through its midpoint o = {show(data.middle)} lie the circumcentres: c at height {data.centre[1]}, "
+        f"above τ and so outside σ, and c' at height {data.other_centre[1]}. "
     )
     radii = f"R = {words(sqrt(data.squared_radius))}, R' = {words(sqrt(data.squared_other_radius))}"
     if data.cap_below is None:
@@ -126,8 +124,8 @@ def _words(data: Neighbours) -> str:
         larger = "as large"
     where = "is" if not data.delaunay else "is not"
     return (
-        f"{text}The part of S outside S' is the one {side} τ, and p {where} inside S'. {radii}: the circle of σ' "
-        f"is {larger}."
+        f"{text}The part of S outside S' is the one {side} τ, and p {where} inside S'. {radii}: the circle "
+        f"of σ' is {larger}."
     )
 
 
@@ -159,7 +157,7 @@ def _draw(data: Neighbours) -> Canvas:
         canvas.disc(point, 4.0)
     canvas.disc(d, 5.0, None, Pen(PURPLE, 2.2))
     canvas.disc(c, 5.0, None, _OWN)
-    _labels(canvas, data, {"q": q, "p": p, "o": o, "c": c, "d": d}, (left, right, upper), scale)
+    _labels(canvas, data, {"q": q, "p": p, "o": o, "c": c, "d": d}, (right, upper), scale)
     legend(canvas, _keys(data), _BREADTH)
     return canvas.fit()
 
@@ -182,10 +180,10 @@ def _cap(a: Point, q: Point, c: Point, radius: float, below: bool) -> list[Point
 
 
 def _labels(
-    canvas: Canvas, data: Neighbours, at: dict[str, Point], rim: tuple[float, float, float], scale: float
+    canvas: Canvas, data: Neighbours, at: dict[str, Point], rim: tuple[float, float], scale: float
 ) -> None:
     same = data.cap_below is None
-    left, right, upper = rim
+    right, upper = rim
     canvas.label((right + 14, -13), "$H_{\\tau}$", LABEL, "end")
     canvas.label((at["o"][0] + 12, upper - 8), "$\\ell$", LABEL)
     canvas.label((at["o"][0] - 0.9 * scale, 0.36 * scale), "$\\sigma$", LABEL)

@@ -11,7 +11,7 @@ from ..delaunay import delaunay_verdict
 from ..exact import rational, show, sqrt
 from .canvas import BLUE, FAINT, GREEN, INK, LABEL, SMALL, VERMILLION, Canvas, Pen
 from .figure import Figure, beside
-from .legends import legend, line_key, point_key
+from .legends import Key, legend, line_key, point_key
 from .placement import clear_place
 from .plane import Line, Window
 from .space import View, draw_tetrahedron, great_circle
@@ -21,7 +21,7 @@ _SIZE = 320.0
 _SPHERE, _EQUATOR = Pen(BLUE, 2.2), Pen(BLUE, 1.6, (2.0, 4.0))
 _INSIDE, _NEIGHBOUR = (6.0, VERMILLION, None), Pen(INK, 1.3, opacity=0.7)
 _SEEDS = ((2, -1, 0), (-1, -2, 5), (-1, -2, -1))
-"""To the right, upwards, towards the viewer: the mirror plane x_2 = 0 is seen from the front, a little from below."""
+"""To the right, upwards, towards the viewer, who is in front of the mirror x_2 = 0 and a little below."""
 
 
 class NotEmpty(NamedTuple):
@@ -53,7 +53,7 @@ class NotEmpty(NamedTuple):
 
 
 class Section(NamedTuple):
-    """The section with the mirror plane x_2 = 0, which holds u_0, u_1, the circumcentre and the vertex inside.
+    """The section with the mirror plane x_2 = 0, which holds u_0, u_1, the centre and the vertex inside.
 
     Attributes
     ----------
@@ -143,8 +143,8 @@ def _section_words(title: str, section: Section) -> str:
     counts = ", ".join(f"{found[name]} {name}" for name in where.values() if name in found)
     return (
         f"{title}, x_2 = 0. A circle of radius R = {words(sqrt(data.squared_circumradius))} with centre c; "
-        f"u_0 and u_1 lie on it, s_{k}(u_{k}) = {show(data.inside)} inside. Of the vertices of {data.name} in "
-        f"the window are {counts} the circle."
+        f"u_0 and u_1 lie on it, s_{k}(u_{k}) = {show(data.inside)} inside. Of the vertices of {data.name} "
+        f"in the window are {counts} the circle."
     )
 
 
@@ -181,14 +181,14 @@ def _label_points(
     canvas.label(clear_place(canvas, middle, inside, (17.0, 21.0)), "$c$", LABEL)
 
 
-def _keys(canvas: Canvas, data: NotEmpty, *more: object) -> None:
+def _keys(canvas: Canvas, data: NotEmpty, *more: Key) -> None:
     k = data.facet
     keys = [
         point_key("circumscribed sphere and its centre", 5.5, None, _SPHERE),
         *more,
         point_key(f"the vertex $s_{{{k}}}(u_{{{k}}})$, inside", *_INSIDE),
     ]
-    legend(canvas, keys, _SIZE)  # type: ignore[arg-type]
+    legend(canvas, keys, _SIZE)
 
 
 def _draw_section(section: Section) -> Canvas:

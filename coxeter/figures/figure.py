@@ -49,7 +49,11 @@ class Figure(Generic[Data]):
     @cached_property
     def svg(self) -> str:
         """The figure as an SVG element, in the colour of the text around it, on no background."""
-        return write_svg(self.draw(), self.title, self.alt, fluid=True)
+        return write_svg(self._canvas, self.title, self.alt, fluid=True)
+
+    @cached_property
+    def _canvas(self) -> Canvas:
+        return self.draw()
 
     def __repr__(self) -> str:
         return self.alt
@@ -70,11 +74,11 @@ class Figure(Generic[Data]):
         """
         suffix = Path(path).suffix.lower()
         if suffix == ".svg":
-            Path(path).write_text(write_svg(self.draw(), self.title, self.alt, fluid=False) + "\n", "utf-8")
+            Path(path).write_text(write_svg(self._canvas, self.title, self.alt, fluid=False) + "\n", "utf-8")
         elif suffix in (".pdf", ".png"):
             from .files import save_with_matplotlib
 
-            save_with_matplotlib(self.draw(), path)
+            save_with_matplotlib(self._canvas, path)
         else:
             raise InvalidInput(f"{str(path)!r} does not name a figure: it must end in .svg, .pdf or .png")
 

@@ -14,9 +14,10 @@ from .canvas import BLUE, GREEN, INK, LABEL, VERMILLION, Canvas, Pen
 from .figure import Figure
 from .legends import area_key, arrow_key, legend, line_key
 from .placement import clear_place
+from .plane import squared_distance
 from .space import View
 
-_SCALE, _BREADTH = 92.0, 330.0
+_SCALE, _BREADTH = 84.0, 330.0
 _SEEDS = ((4, -2, -1, -1), (-1, -5, 13, -7), (1, 5, -2, -4))
 """To the right, upwards, towards the viewer."""
 _SOLID, _MIRROR = Pen(INK, 1.2, opacity=0.45), (BLUE, 0.16, Pen(BLUE, 1.6))
@@ -72,29 +73,25 @@ def _data() -> FixedRoot:
     system = root_system("A3")
     roots, mirror = sorted(system.roots.rows()), system.simple_roots.row(2)
     images = {r: affine_reflection(mirror, 0, r) for r in roots}
-    least = min(_square(p, q) for p, q in combinations(roots, 2))
+    least = min(squared_distance(p, q) for p, q in combinations(roots, 2))
     return FixedRoot(
         system.name,
         system.weyl_group_order,
         tuple(roots),
-        tuple((p, q) for p, q in combinations(roots, 2) if _square(p, q) == least),
+        tuple((p, q) for p, q in combinations(roots, 2) if squared_distance(p, q) == least),
         mirror,
         tuple(r for r in roots if images[r] == r),
         tuple((r, images[r]) for r in roots if r < images[r]),
     )
 
 
-def _square(p: Vector, q: Vector) -> Fraction:
-    return sum(((a - b) ** 2 for a, b in zip(p, q, strict=True)), Fraction(0))
-
-
 def _words(data: FixedRoot) -> str:
     fixed = " and ".join(map(show, data.fixed))
     return (
-        f"The {len(data.roots)} roots of {data.name}, the corners of a polytope with {len(data.edges)} edges, and the "
-        f"mirror at right angles to the root r = {show(data.mirror_root)}. The reflection exchanges the ends of "
-        f"{len(data.exchanged)} dashed lines and fixes {fixed}, which lie in the mirror. The Weyl group has "
-        f"{data.order} elements for {len(data.roots)} roots."
+        f"The {len(data.roots)} roots of {data.name}, the corners of a polytope with {len(data.edges)} "
+        f"edges, and the mirror at right angles to the root r = {show(data.mirror_root)}. The reflection "
+        f"exchanges the ends of {len(data.exchanged)} dashed lines and fixes {fixed}, which lie in the "
+        f"mirror. The Weyl group has {data.order} elements for {len(data.roots)} roots."
     )
 
 
@@ -121,10 +118,10 @@ def _draw(data: FixedRoot) -> Canvas:
 
 
 def _mirror(data: FixedRoot, view: View) -> list[tuple[float, float]]:
-    """A square in the mirror with the fixed roots on its sides: its corners are sums of roots in the mirror."""
+    """A square in the mirror with the fixed roots on two of its sides."""
     along = data.fixed[-1]
     middles = [tuple((a + b) / 2 for a, b in zip(p, q, strict=True)) for p, q in data.exchanged]
-    across = max(middles, key=lambda m: (_square(m, tuple(Fraction(0) for _ in m)), m))
+    across = max(middles, key=lambda m: (squared_distance(m, tuple(Fraction(0) for _ in m)), m))
     scale = math.sqrt(2) / math.sqrt(float(sum(x * x for x in across)))
     corners = []
     for i, j in ((1, 1), (1, -1), (-1, -1), (-1, 1)):

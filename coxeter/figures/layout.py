@@ -72,7 +72,7 @@ def _ratio(graph: nx.Graph, k: int) -> Surd | None:
     if 0 not in graph:
         return None
     squares = [Fraction(graph.nodes[i]["squared_length"]) for i in (k, 0)]
-    return graph.nodes[k]["mark"] * sqrt(squares[0] / squares[1])
+    return int(graph.nodes[k]["mark"]) * sqrt(squares[0] / squares[1])
 
 
 def _shorten(graph: nx.Graph, d: int) -> nx.Graph:

@@ -14,7 +14,7 @@ from .figure import Figure
 from .legends import Key, arrow_key, legend, point_key
 from .marks import cross
 from .placement import clear_place
-from .plane import Line, Triangle, Window, frame, triangles_in
+from .plane import Frame, Line, Triangle, Window, frame, triangles_in
 
 _SIZE = 330.0
 _DIFFERENCE, _GUIDE, _MISSED = Pen(BLUE, 2.8), Pen(INK, 1.2, (4.0, 4.0), 0.8), Pen(VERMILLION, 3.4)
@@ -74,7 +74,7 @@ def difference_not_a_vertex(name: object = "G~2") -> Figure[NotLattice]:
     Examples
     --------
     >>> difference_not_a_vertex().data.through
-    0
+    1
     """
     t = triangulation(getattr(name, "name", name))
     axes = frame(t.roots)  # refuses all but the plane
@@ -85,7 +85,7 @@ def difference_not_a_vertex(name: object = "G~2") -> Figure[NotLattice]:
     return Figure(f"Vertices of {t.name} whose difference is none", _words(data), data, lambda: _draw(data))
 
 
-def _data(t: CoxeterTriangulation, axes: tuple[Vector, Vector], witness: NonLatticeWitness) -> NotLattice:
+def _data(t: CoxeterTriangulation, axes: Frame, witness: NonLatticeWitness) -> NotLattice:
     zero, side = Fraction(0), t.simplex.longest_edge.decimal(3)
     half = Fraction(side) * Fraction(17, 10)
     window = Window(axes, (zero, zero), (half, half), _SIZE / float(2 * half))
@@ -111,10 +111,10 @@ def _words(data: NotLattice) -> str:
     counts = [f"{sum(kind == k for _, kind in data.vertices)} like u_{k}" for k in range(3)]
     lines = {0: "none of the lines passes", 1: "only one of the lines passes"}[data.through]
     return (
-        f"The lines of {data.name} and the vertices in the window: {', '.join(counts)}. "
-        f"The arrow from u_{j} = {show(data.simplex[j])} to u_{i} = {show(data.simplex[i])}, "
-        f"drawn from the vertex u_0 = {show(data.simplex[0])}, ends at u_{i} - u_{j} = {show(data.difference)}, and "
-        f"{lines} through that point: it is no vertex. So the vertices of {data.name} do not form a lattice."
+        f"The lines of {data.name} and the vertices in the window: {', '.join(counts)}. The arrow from "
+        f"u_{j} = {show(data.simplex[j])} to u_{i} = {show(data.simplex[i])}, drawn from the vertex u_0 = "
+        f"{show(data.simplex[0])}, ends at u_{i} - u_{j} = {show(data.difference)}, and {lines} through "
+        f"that point: it is no vertex. So the vertices of {data.name} do not form a lattice."
     )
 
 

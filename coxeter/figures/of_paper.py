@@ -54,8 +54,9 @@ def _figure_1() -> Figure[Any]:
 def _figure_2() -> Figure[Any]:
     """The triangulations of the plane, then the simplices of space, two in a row."""
     plane: list[Figure[Any]] = [plane_triangulation(name) for name in ("A~2", "C~2", "G~2")]
-    first, second, third, *rest = [*plane, *(cube_simplex(name) for name in ("A~3", "B~3", "C~3"))]
-    rows = beside(first, second), beside(third, rest[0]), beside(*rest[1:])
+    space: list[Figure[Any]] = [cube_simplex(name) for name in ("A~3", "B~3", "C~3")]
+    every = [*plane, *space]
+    rows = [beside(*every[k : k + 2]) for k in (0, 2, 4)]
     return above(*rows, title="The Coxeter triangulations of the plane and the simplices of those of space")
 
 
@@ -73,3 +74,6 @@ _MAKERS: dict[int, Callable[[], Figure[Any]]] = {
     12: _figure_12,
     13: lemma_4_circles,
 }
+
+NUMBERS = tuple(_MAKERS)
+"""The numbers of the figures: 1 to 13."""

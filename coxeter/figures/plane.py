@@ -19,6 +19,7 @@ from ..roots import RootSystem
 from .canvas import Point, between, overlap
 
 Triangle = tuple[Vector, Vector, Vector]
+Frame = tuple[tuple[Exact, ...], tuple[Exact, ...]]
 
 
 class Line(NamedTuple):
@@ -44,7 +45,7 @@ class Window:
         Pixels for one unit of length.
     """
 
-    frame: tuple[tuple[Exact, ...], tuple[Exact, ...]]
+    frame: Frame
     centre: tuple[Exact, Exact]
     half: tuple[Fraction, Fraction]
     scale: float
@@ -130,7 +131,7 @@ class Window:
         return points
 
 
-def frame(system: RootSystem) -> tuple[tuple[Exact, ...], tuple[Exact, ...]]:
+def frame(system: RootSystem) -> Frame:
     """An orthonormal frame of the plane of a root system of rank 2.
 
     The unit vectors if the roots have two coordinates; else the first simple root points to the
@@ -154,7 +155,7 @@ def plane_roots(system: RootSystem) -> tuple[Vector, Vector]:
     return s, t
 
 
-def orthonormal(s: Vector, t: Vector) -> tuple[tuple[Exact, ...], tuple[Exact, ...]]:
+def orthonormal(s: Vector, t: Vector) -> Frame:
     """An orthonormal frame of the plane of two vectors: the first to the right, the second upwards."""
     first, second = map(unit, orthogonal((s, t)))
     return first, second
@@ -204,6 +205,11 @@ def reflected(triangle: Triangle, k: int) -> Triangle:
     image = tuple(2 * (a + share * e) - x for a, e, x in zip(p, edge, triangle[k], strict=True))
     vertices = [image if i == k else triangle[i] for i in range(3)]
     return vertices[0], vertices[1], vertices[2]
+
+
+def squared_distance(p: Vector, q: Vector) -> Fraction:
+    """The square of the distance of two points."""
+    return sum(((a - b) ** 2 for a, b in zip(p, q, strict=True)), Fraction(0))
 
 
 def _rational(a: Sequence[Fraction], b: Sequence[Fraction]) -> Fraction:

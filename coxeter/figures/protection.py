@@ -1,11 +1,11 @@
-"""Protection: how far the circumscribed ball is from the nearest other vertices (paper, Section 3, Appendix C)."""
+"""Protection: how far the circumscribed ball is from the next vertices (paper, Appendix C)."""
 
 from __future__ import annotations
 
 import math
 from collections.abc import Sequence
 from fractions import Fraction
-from itertools import combinations, product
+from itertools import combinations, islice, product
 from typing import NamedTuple
 
 from ..affine import CoxeterTriangulation, Vector, triangulation
@@ -111,8 +111,9 @@ def _words(data: Protected) -> str:
     if not data.absolute:
         return text + f"on the same {sphere}: the protection is 0."
     return text + (
-        f"on the {sphere} with the same centre and radius R' = {distance}. The protection is their difference, "
-        f"δ = {words(data.absolute)}, and δ/R = {words(data.relative)}, about {data.relative.decimal(3)}."
+        f"on the {sphere} with the same centre and radius R' = {distance}. The protection is their "
+        f"difference, δ = {words(data.absolute)}, and δ/R = {words(data.relative)}, about "
+        f"{data.relative.decimal(3)}."
     )
 
 
@@ -161,14 +162,16 @@ def _draw(data: Protected, t: CoxeterTriangulation) -> Canvas:
 
 
 def _view(data: Protected, scale: float) -> View:
-    """A view with one of the nearest vertices at the right end of the outline; one that shows all points apart."""
+    """A view with one of the nearest vertices at the right end, that shows all points apart."""
     centre = data.circumcentre
     right = _minus(data.nearest[0][1], centre)
     edges = [_minus(u, centre) for u in data.simplex]
-    turns = [_combined(weights, edges) for weights in product(range(-2, 3), repeat=3)]
-    seeds = [(right, up, third) for up in turns for third in edges]
-    independent = [x for x in seeds if RationalMatrix.from_rows(x).rank() == 3]
-    return max((View.along(x, centre, scale) for x in independent), key=lambda view: _merit(view, data))
+    seeds = []
+    for weights in product(range(-2, 3), repeat=3):
+        up = _combined(weights, edges)
+        behind = (x for x in edges if RationalMatrix.from_rows([right, up, x]).rank() == 3)
+        seeds += [(right, up, third) for third in islice(behind, 1)]
+    return max((View.along(x, centre, scale) for x in seeds), key=lambda view: _merit(view, data))
 
 
 def _combined(weights: Sequence[int], vectors: Sequence[Vector]) -> Vector:
@@ -181,7 +184,7 @@ def _minus(x: Vector, y: Vector) -> Vector:
 
 
 def _merit(view: View, data: Protected) -> float:
-    """The least distance between two points that are drawn, or between one of the nearest and the inner sphere."""
+    """The least distance of two points that are drawn, or of a nearest vertex and the inner sphere."""
     nearest = [view.pixel(v) for _, v in data.nearest]
     points = [view.pixel(u) for u in data.simplex] + nearest + [(0.0, 0.0)]
     apart = min(math.dist(p, q) for p, q in combinations(points, 2))

@@ -1,4 +1,4 @@
-"""Space seen from afar: an exact orthographic view, in which spheres are circles, and what it shows of a tetrahedron."""
+"""Space seen from afar: an exact orthographic view, in which spheres are circles."""
 
 from __future__ import annotations
 
@@ -93,7 +93,7 @@ def draw_tetrahedron(canvas: Canvas, view: View, corners: Sequence[Sequence[Exac
 def great_circle(
     view: View, radius: float, first: Sequence[Exact], second: Sequence[Exact]
 ) -> tuple[list[list[Point]], list[list[Point]]]:
-    """The circle round the centre through the directions of two orthogonal vectors: its front, and its back."""
+    """A circle round the centre, in the plane of two orthogonal vectors: its front, and its back."""
     a, b = (
         [r - c for r, c in zip(view.place(v), view.place([0] * len(v)), strict=True)] for v in (first, second)
     )

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from dataclasses import replace
 from fractions import Fraction
-from typing import NamedTuple
+from typing import Any, NamedTuple
 
 from ..affine import Vector
 from ..errors import InvalidInput
@@ -15,6 +15,7 @@ from .figure import Figure, above, beside
 from .legends import legend, line_key, point_key
 from .marks import arc, right_angle, sheet, toward
 from .placement import clear_place
+from .plane import squared_distance
 from .space import View, draw_tetrahedron
 from .written import words
 
@@ -86,12 +87,13 @@ def lemma_10_witness() -> Figure[Spike]:
         "Its floor from above",
         "The plane of height and longest edge",
     )
-    parts = (
+    parts: list[Figure[Any]] = [
         Figure(titles[0], _words(data), data, lambda: _draw_space(data)),
         Figure(titles[1], _floor_words(data), data, lambda: _draw_floor(data)),
         Figure(titles[2], _plane_words(data), data, lambda: _draw_plane(data)),
-    )
-    return replace(above(parts[0], beside(*parts[1:])), data=data)
+    ]
+    drawn: Figure[Any] = above(parts[0], beside(*parts[1:]))
+    return replace(drawn, data=data)
 
 
 def _data() -> Spike:
@@ -111,13 +113,9 @@ def _data() -> Spike:
         tuple(rational(x) for x in base.circumcentre),
         base.squared_circumradius,
         simplex.squared_heights[3],
-        tuple(_square(foot, v) for v in floor),
-        tuple(_square(p, v) for v in floor),
+        tuple(squared_distance(foot, v) for v in floor),
+        tuple(squared_distance(p, v) for v in floor),
     )
-
-
-def _square(p: Vector, q: Vector) -> Fraction:
-    return sum(((a - b) ** 2 for a, b in zip(p, q, strict=True)), Fraction(0))
 
 
 # -- words --------------------------------------------------------------------------------------------------
@@ -126,18 +124,19 @@ def _square(p: Vector, q: Vector) -> Fraction:
 def _words(data: Spike) -> str:
     floor = ", ".join(f"v_{k} = {show(v)}" for k, v in enumerate(data.floor))
     return (
-        f"The tetrahedron with the floor {floor} and the vertex p = {show(data.p)}. The floor separates p from the "
-        f"circumcentre c = {show(data.circumcentre)}, whose barycentric coordinate at p is {data.share}. The foot f "
-        f"= {show(data.foot)} of the height from p lies outside the floor."
+        f"The tetrahedron with the floor {floor} and the vertex p = {show(data.p)}. The floor separates p "
+        f"from the circumcentre c = {show(data.circumcentre)}, whose barycentric coordinate at p is "
+        f"{data.share}. The foot f = {show(data.foot)} of the height from p lies outside the floor."
     )
 
 
 def _floor_words(data: Spike) -> str:
     steps = ", ".join(f"|f - v_{k}| = {words(sqrt(x))}" for k, x in enumerate(data.squared_steps))
     return (
-        f"The floor from above: an obtuse triangle in a circle with centre o = {show(data.centre[:2])} and radius "
-        f"{words(sqrt(data.squared_radius))}, and the foot f = {show(data.foot[:2])}. All its vertices lie inside "
-        f"the circle round f with radius h = {words(sqrt(data.squared_height))}: {steps}."
+        f"The floor from above: an obtuse triangle in a circle with centre o = {show(data.centre[:2])} and "
+        f"radius {words(sqrt(data.squared_radius))}, and the foot f = {show(data.foot[:2])}. All its "
+        f"vertices lie inside the circle round f with radius h = {words(sqrt(data.squared_height))}: "
+        f"{steps}."
     )
 
 
@@ -145,10 +144,10 @@ def _plane_words(data: Spike) -> str:
     k = data.end
     longest = data.squared_edges[k]
     return (
-        f"The plane through p, f and v_{k}: a right triangle with the legs h = {words(sqrt(data.squared_height))} "
-        f"and |f - v_{k}| = {words(sqrt(data.squared_steps[k]))} and the hypotenuse L = {words(sqrt(longest))}. "
-        f"h²/L² = {data.squared_height / longest}, more than 1/2, so the angle at v_{k} is more than π/4. The plane "
-        "meets the tetrahedron in this edge only."
+        f"The plane through p, f and v_{k}: a right triangle with the legs h = "
+        f"{words(sqrt(data.squared_height))} and |f - v_{k}| = {words(sqrt(data.squared_steps[k]))} and the "
+        f"hypotenuse L = {words(sqrt(longest))}. h²/L² = {data.squared_height / longest}, more than 1/2, so "
+        f"the angle at v_{k} is more than π/4. The plane meets the tetrahedron in this edge only."
     )
 
 

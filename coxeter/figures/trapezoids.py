@@ -13,7 +13,7 @@ from .canvas import BLUE, GREEN, INK, LABEL, VERMILLION, Canvas, Pen
 from .figure import Figure
 from .legends import area_key, legend, point_key
 from .placement import clear_place
-from .plane import Window
+from .plane import Window, squared_distance
 from .written import words
 
 TRAPEZOID = ((0, 0), (3, 0), (2, 2), (1, 2))
@@ -85,7 +85,7 @@ def _data() -> Trapezoids:
     copies = [_moved(tile, shift) for tile in (first, *others) for shift in shifts]
     tiles = (first, *(tile for tile in copies if tile != first and _reaches(window, tile)))
     vertices = sorted({v for tile in tiles for v in tile if window.contains(v)})
-    inside = tuple(v for v in vertices if _square(v, centre) < simplex.squared_circumradius)
+    inside = tuple(v for v in vertices if squared_distance(v, centre) < simplex.squared_circumradius)
     return Trapezoids(window, tiles, tuple(vertices), centre, simplex.squared_circumradius, inside, halves)
 
 
@@ -110,18 +110,15 @@ def _reaches(window: Window, tile: Tile) -> bool:
     return len(window.clip([window.pixel(v) for v in tile])) > 2
 
 
-def _square(p: Vector, q: Vector) -> Fraction:
-    return sum(((a - b) ** 2 for a, b in zip(p, q, strict=True)), Fraction(0))
-
-
 def _words(data: Trapezoids) -> str:
     good, bad = (", ".join(map(show, half)) for half, _ in data.halves)
     return (
-        f"A tiling of the plane by {len(data.tiles)} trapezoids as far as the window shows it, each cut along a "
-        f"diagonal. The corners {', '.join(map(show, data.tiles[0]))} of one lie on a circle with centre c = "
-        f"{show(data.centre)} and radius {words(sqrt(data.squared_radius))}, and {len(data.inside) or 'no'} vertices "
-        f"inside it. The half {good} contains c; the other half, {bad}, does not. All circles have the same radius, "
-        "so it is a Delaunay triangulation, and a triangle with the largest circumradius is not self-centred."
+        f"A tiling of the plane by {len(data.tiles)} trapezoids as far as the window shows it, each cut "
+        f"along a diagonal. The corners {', '.join(map(show, data.tiles[0]))} of one lie on a circle with "
+        f"centre c = {show(data.centre)} and radius {words(sqrt(data.squared_radius))}, and "
+        f"{len(data.inside) or 'no'} vertices inside it. The half {good} contains c; the other half, {bad}, "
+        "does not. All circles have the same radius, so it is a Delaunay triangulation, and a triangle "
+        "with the largest circumradius is not self-centred."
     )
 
 
