@@ -13,9 +13,8 @@ ARGUMENTS = [
     "--disable-component-update",
     "--disable-sync",
     "--no-first-run",
-    "--use-gl=angle",  # the pictures to turn are drawn by software, as no machine of ours has a graphics card
-    "--use-angle=swiftshader",
-    "--enable-unsafe-swiftshader",
+    "--disable-gpu",
+    "--enable-unsafe-swiftshader",  # the pictures to turn are drawn by software
 ]
 ABSENT = (
     "no Chromium was found: neither $CHROMIUM nor any of " + ", ".join(NAMES) + " on the PATH "

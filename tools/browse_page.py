@@ -17,6 +17,7 @@ PLOTTING = "plotly.min.js"
 PLOTTED = re.compile(r'class="[^"]*\bcx-(?:scene|explorer)\b')
 COLOURS = ["color-contrast", "link-in-text-block"]  # the rules whose verdict differs in the dark
 TABS = 90  # how often Tab is pressed at most
+UNSET = 15_000  # milliseconds that a formula in view may take
 
 
 @dataclass
@@ -44,55 +45,60 @@ def axe_script() -> str:
 
 @dataclass
 class Visitor:
-    """Opens pages of a site, from its server and from the file system."""
+    """Opens pages of a site, one after the other, in two windows: a wide one and a phone's."""
 
-    browser: Any
     folder: Path
-    base: str
+    wide: "Window"
+    phone: "Window"
 
     async def visit(self, page: str, full: bool = True, axe: bool = True, press: bool = False) -> Seen:
         """Everything about a page; of one of many alike, where ``full`` is false, what may differ."""
         seen = Seen(page)
-        await self._wide(seen, full, axe, press)
+        await self._wide(seen, full, press)
+        if axe:
+            await self._axe(seen)
         await self._phone(seen, full)
         return seen
 
-    async def _wide(self, seen: Seen, full: bool, axe: bool, press: bool) -> None:
-        """From the server, on a wide screen, in the light; then in the dark."""
-        async with Opened(self, seen, self.base, WIDE, "light") as opened:
-            seen.seconds = await opened.interactive()
-            self._weigh(seen, opened.addresses)
-            if full:
-                seen.note("formulas", await opened.ask("formulas()"))
-                seen.note("alternatives", await opened.ask("alternatives()"))
-                seen.note("keyboard", await opened.ask("keyboard()"))
-            if press:
-                seen.note("keyboard", await press_tab(opened.page))
-            if axe:
-                await opened.page.evaluate(axe_script())
-                await opened.page.evaluate("probe.thin()")
-                seen.note("axe light", await opened.ask("axe()"))
-                await opened.page.emulate_media(color_scheme="dark")
-                await opened.page.evaluate("probe.dark()")
-                seen.note("axe dark", await opened.ask("axe", COLOURS))
+    async def _wide(self, seen: Seen, full: bool, press: bool) -> None:
+        """From the server, on a wide screen, in the light."""
+        window = self.wide
+        seen.seconds = await window.open(seen)
+        self._weigh(seen)
+        if full:
+            seen.note("formulas", await window.ask("formulas()"))
+            seen.note("alternatives", await window.ask("alternatives()"))
+            seen.note("keyboard", await window.ask("keyboard()"))
+        if press:
+            seen.note("keyboard", await press_tab(window.page))
+
+    async def _axe(self, seen: Seen) -> None:
+        """In the light; then what may differ in the dark."""
+        window = self.wide
+        await window.page.evaluate(axe_script())
+        await window.page.evaluate("probe.thin()")
+        seen.note("axe light", await window.ask("axe()"))
+        await window.page.emulate_media(color_scheme="dark")
+        await window.page.evaluate("probe.dark()")
+        seen.note("axe dark", await window.ask("axe", COLOURS))
+        await window.page.emulate_media(color_scheme="light")
 
     async def _phone(self, seen: Seen, full: bool) -> None:
         """From the file system, on a phone, in the dark."""
-        async with Opened(self, seen, self.folder.as_uri() + "/", PHONE, "dark") as opened:
-            await opened.interactive()
-            seen.note("overflow", await opened.ask("overflow()"))
-            if full:
-                seen.note("formulas", await opened.ask("sampled()"))
+        await self.phone.open(seen)
+        seen.note("overflow", await self.phone.ask("overflow()"))
+        if full:
+            seen.note("formulas", await self.phone.ask("sampled", UNSET))
 
     async def time(self, page: str) -> float:
         """Seconds until a page can be used."""
-        async with Opened(self, Seen(page), self.base, WIDE, "light") as opened:
-            return await opened.interactive()
+        return await self.wide.open(Seen(page))
 
-    def _weigh(self, seen: Seen, addresses: set[str]) -> None:
-        local = [address for address in addresses if address.startswith(self.base)]
-        files = {file_of(address, self.base, self.folder) for address in local}
-        seen.requests = len(addresses)
+    def _weigh(self, seen: Seen) -> None:
+        window = self.wide
+        local = [address for address in window.addresses if address.startswith(window.base)]
+        files = {file_of(address, window.base, self.folder) for address in local}
+        seen.requests = len(window.addresses)
         seen.kilobytes = sum(weight(path) for path in files if path.name != PLOTTING) / 1000
         if seen.kilobytes > KILOBYTES:
             heavy = sorted(files, key=weight, reverse=True)[:3]
@@ -103,30 +109,35 @@ class Visitor:
             seen.note("weight", [f"{PLOTTING} is loaded where nothing is drawn with it"])
 
 
-class Opened:
-    """A page in a window of its own, with an ear for what goes wrong."""
+class Window:
+    """A window of the browser, with an ear for what goes wrong in it. Each page is loaded as if for the first time."""
 
-    def __init__(self, visitor: Visitor, seen: Seen, base: str, size: dict[str, int], scheme: str) -> None:
-        self.visitor, self.seen, self.base = visitor, seen, base
-        self.options = {"viewport": size, "color_scheme": scheme, "reduced_motion": "reduce"}
+    def __init__(self, base: str) -> None:
+        self.base = base
+        self.seen = Seen("")
         self.addresses: set[str] = set()
 
-    async def __aenter__(self) -> "Opened":
-        self.context = await self.visitor.browser.new_context(**self.options)
-        await self.context.add_init_script(path=PROBE)
-        self.page = await self.context.new_page()
-        self.page.on("request", lambda request: self._request(request.url))
-        self.page.on("requestfailed", lambda request: self._error(f"not loaded: {request.url}"))
-        self.page.on("response", lambda it: it.status >= 400 and self._error(f"{it.status}: {it.url}"))
-        self.page.on("pageerror", lambda error: self._error(f"script: {error}"))
-        self.page.on("console", lambda line: line.type == "error" and self._error(f"console: {line.text}"))
-        await self.page.goto(self.base + self.seen.page, wait_until="load")
-        return self
+    @classmethod
+    async def new(cls, browser: Any, base: str, size: dict[str, int], scheme: str) -> "Window":
+        window = cls(base)
+        context = await browser.new_context(viewport=size, color_scheme=scheme, reduced_motion="reduce")
+        await context.add_init_script(path=PROBE)
+        window.page = page = await context.new_page()
+        session = await context.new_cdp_session(page)
+        await session.send("Network.enable")
+        await session.send("Network.setCacheDisabled", {"cacheDisabled": True})
+        page.on("request", lambda request: window._request(request.url))
+        page.on("requestfailed", lambda request: window._error(f"not loaded: {request.url}"))
+        page.on("response", lambda it: it.status >= 400 and window._error(f"{it.status}: {it.url}"))
+        page.on("pageerror", lambda error: window._error(f"script: {error}"))
+        page.on("console", lambda line: line.type == "error" and window._error(f"console: {line.text}"))
+        return window
 
-    async def __aexit__(self, *_: object) -> None:
-        await self.context.close()
-
-    async def interactive(self) -> float:
+    async def open(self, seen: Seen) -> float:
+        """Open a page; the seconds until its formulas are set and it waits for the reader."""
+        await self.page.goto("about:blank")
+        self.seen, self.addresses = seen, set()
+        await self.page.goto(self.base + seen.page, wait_until="load")
         return float(await self.page.evaluate("probe.interactive()")) / 1000
 
     async def ask(self, what: str, argument: object = None) -> list[str]:
@@ -134,12 +145,19 @@ class Opened:
         return list(await self.page.evaluate(call, argument))
 
     def _request(self, address: str) -> None:
-        self.addresses.add(address)
+        if address != "about:blank":
+            self.addresses.add(address)
         if not is_local(address, self.base):
             self.seen.note("other hosts", [address])
 
     def _error(self, text: str) -> None:
         self.seen.note("errors", [text.replace(self.base, "").splitlines()[0][:200]])
+
+
+async def visitor(browser: Any, folder: Path, base: str) -> Visitor:
+    """One who opens the pages of a folder, that is served at an address."""
+    wide = await Window.new(browser, base, WIDE, "light")
+    return Visitor(folder, wide, await Window.new(browser, folder.as_uri() + "/", PHONE, "dark"))
 
 
 async def press_tab(page: Any) -> list[str]:

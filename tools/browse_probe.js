@@ -43,7 +43,7 @@ window.probe = (() => {
   };
 
   /* Where formulas are set only when they come into view: bring a sample into view. */
-  const sampled = async (size = 12) => {
+  const sampled = async (patience, size = 12) => {
     const waiting = all(".lg-tex").map((formula) => formula.closest(".lg-claim, .lg-item") ?? formula);
     const rows = [...new Set(waiting)];
     const step = Math.max(1, Math.floor(rows.length / size));
@@ -52,7 +52,7 @@ window.probe = (() => {
       for (let box = row; box; box = box.parentElement) if (box.tagName === "DETAILS") box.open = true;
       row.scrollIntoView({ block: "center", behavior: "instant" });
       const begin = performance.now();
-      while (row.querySelector(".lg-tex, .math:not(:has(mjx-container))") && performance.now() - begin < 15000) await pause(20);
+      while (row.querySelector(".lg-tex, .math:not(:has(mjx-container))") && performance.now() - begin < patience) await pause(20);
       if (row.querySelector(".lg-tex")) found.push(`not set when scrolled into view: ${squeeze(row.textContent)}`);
       found.push(...formulas(row));
     }
@@ -69,8 +69,9 @@ window.probe = (() => {
     const found = [];
     if (root.scrollWidth > wide) {
       const out = all("body *").filter((element) => {
-        const { right, width } = element.getBoundingClientRect();
-        if (right + scrollX <= wide + 1 || !width || !element.checkVisibility()) return false;
+        const { left, right, width } = element.getBoundingClientRect();
+        const words = getComputedStyle(element).overflowX === "visible" ? left + element.scrollWidth : right;
+        if (Math.max(right, words) + scrollX <= wide + 1 || !width || !element.checkVisibility()) return false;
         for (let box = element.parentElement; box && box !== document.body; box = box.parentElement) {
           if (scrolls(box) || getComputedStyle(box).position === "fixed") return false;
         }

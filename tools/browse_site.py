@@ -12,7 +12,7 @@ from pathlib import Path
 
 from browse_baseline import Baseline
 from browse_chromium import ABSENT, chromium, find_chromium
-from browse_page import SECONDS, Seen, Visitor
+from browse_page import SECONDS, Seen, Visitor, visitor
 from browse_report import faults, table, write
 from browse_server import serve
 
@@ -41,21 +41,23 @@ async def browse(folder: Path, workers: int, only: list[str] | None = None) -> l
     seen: list[Seen] = []
     queue = iter(names)
 
-    async def work(visitor: Visitor) -> None:
+    async def work(one: Visitor) -> None:
         for name in queue:
             full = name not in alike
             axe = full or alike.index(name) % AXED == 0
-            seen.append(await visitor.visit(name, full, axe, full and presses(folder, name)))
+            begin = time.time()
+            seen.append(await one.visit(name, full, axe, full and presses(folder, name)))
+            print(f"  {len(seen):3}/{len(names)}  {time.time() - begin:5.1f} s  {name}", flush=True)
 
     with serve(folder) as base:
         async with chromium() as browser:
-            visitor = Visitor(browser, folder, base)
-            await asyncio.gather(*(work(visitor) for _ in range(workers)))
-            await measure_again(visitor, seen)
+            visitors = [await visitor(browser, folder, base) for _ in range(workers)]
+            await asyncio.gather(*map(work, visitors))
+            await measure_again(visitors[0], seen)
     return sorted(seen, key=lambda one: one.page)
 
 
-async def measure_again(visitor: Visitor, seen: list[Seen], factor: float = 1.0) -> None:
+async def measure_again(visitor: Visitor, seen: list[Seen]) -> None:
     """Two pages at a time slow each other down: one that seemed slow is timed once more, alone."""
     for one in seen:
         if one.seconds > SECONDS:

@@ -1,0 +1,100 @@
+"""Take a picture of every page of the table of contents in four modes: wide and phone, light and dark."""
+
+import argparse
+import asyncio
+import html
+import sys
+import time
+from pathlib import Path
+from typing import Any
+
+from browse_chromium import ABSENT, chromium, find_chromium
+from browse_page import PHONE, PROBE, WIDE
+from browse_server import serve
+from pdf_pages import Chapter, chapters_of
+
+ROOT = Path(__file__).resolve().parent.parent
+MODES = {f"{size}-{scheme}": (size, scheme) for size in ("wide", "phone") for scheme in ("light", "dark")}
+SIZES = {"wide": WIDE, "phone": PHONE}
+TALLEST = 16000  # pixels; Chromium draws no taller picture
+SETTLED = 400  # milliseconds until what moves has come to rest
+
+
+async def take(browser: Any, base: str, name: str, mode: str, target: Path) -> None:
+    """A picture of a page in a mode: of the whole page, or of what of it can be drawn."""
+    size, scheme = MODES[mode]
+    context = await browser.new_context(viewport=SIZES[size], color_scheme=scheme, reduced_motion="reduce")
+    await context.add_init_script(path=PROBE)
+    page = await context.new_page()
+    await page.goto(f"{base}{name}.html", wait_until="load")
+    await page.evaluate("probe.interactive()")
+    await page.wait_for_timeout(SETTLED)
+    height = await page.evaluate("document.documentElement.scrollHeight")
+    whole = {"x": 0, "y": 0, "width": SIZES[size]["width"], "height": min(height, TALLEST)}
+    await page.screenshot(path=target / picture(name, mode), full_page=True, clip=whole)
+    await context.close()
+
+
+def picture(name: str, mode: str) -> str:
+    """The file with the picture of a page.
+
+    >>> picture("notebooks/family-A", "phone-dark")
+    'notebooks-family-A.phone-dark.png'
+    """
+    return f"{name.replace('/', '-')}.{mode}.png"
+
+
+async def take_all(site: Path, chapters: list[Chapter], target: Path, workers: int) -> int:
+    """All pictures, some at a time; how many."""
+    jobs = [(chapter.name, mode) for mode in MODES for chapter in chapters]
+    queue = iter(jobs)
+
+    async def work(browser: Any, base: str) -> None:
+        for name, mode in queue:
+            await take(browser, base, name, mode, target)
+
+    with serve(site) as base:
+        async with chromium() as browser:
+            await asyncio.gather(*(work(browser, base) for _ in range(workers)))
+    return len(jobs)
+
+
+def contact_sheet(chapters: list[Chapter]) -> str:
+    """All pictures on one page, a row for each page of the book."""
+    rows = []
+    for chapter in chapters:
+        name = html.escape(chapter.name)
+        cells = [
+            f'<a href="{picture(name, mode)}"><img loading="lazy" src="{picture(name, mode)}" alt="{name}, {mode}"></a>'
+            for mode in MODES
+        ]
+        rows.append(f"<h2>{name}</h2><div>{''.join(cells)}</div>")
+    return (
+        '<!doctype html><html lang="en"><meta charset="utf-8"><title>Screenshots</title><style>'
+        "body{font-family:sans-serif;margin:1rem}div{display:flex;gap:1rem}a{flex:3 1 0}a:nth-child(n+3){flex:1 1 0}"
+        "img{border:1px solid #999;height:22rem;object-fit:cover;object-position:top;width:100%}</style>"
+        f"<h1>The pages in four modes</h1>{''.join(rows)}</html>\n"
+    )
+
+
+def main() -> int:
+    parser = argparse.ArgumentParser(description=__doc__)
+    parser.add_argument("site", type=Path, nargs="?", default=ROOT / "_build/html", help="the rendered book")
+    parser.add_argument("--toc", type=Path, default=ROOT / "_toc.yml")
+    parser.add_argument("--workers", type=int, default=2, help="how many pages at a time")
+    parser.add_argument("-o", "--output", type=Path, default=ROOT / "_build/screenshots")
+    options = parser.parse_args()
+    if not find_chromium():
+        print(f"No screenshots were taken: {ABSENT}.", file=sys.stderr)
+        return 1
+    begin = time.time()
+    chapters = chapters_of(options.toc)
+    options.output.mkdir(parents=True, exist_ok=True)
+    number = asyncio.run(take_all(options.site.resolve(), chapters, options.output, options.workers))
+    (options.output / "index.html").write_text(contact_sheet(chapters), encoding="utf-8")
+    print(f"{number} pictures of {len(chapters)} pages in {time.time() - begin:.0f} s: {options.output / 'index.html'}")
+    return 0
+
+
+if __name__ == "__main__":
+    sys.exit(main())
