@@ -110,7 +110,7 @@ class Visitor:
 
 
 class Window:
-    """A window of the browser, with an ear for what goes wrong in it. Each page is loaded as if for the first time."""
+    """A window of the browser, with an ear for what goes wrong. Each page is loaded anew."""
 
     def __init__(self, base: str) -> None:
         self.base = base

@@ -3,7 +3,7 @@
 import gzip
 from collections.abc import Iterator
 from contextlib import contextmanager
-from functools import lru_cache, partial
+from functools import cache, partial
 from http.server import SimpleHTTPRequestHandler, ThreadingHTTPServer
 from pathlib import Path
 from threading import Thread
@@ -53,7 +53,7 @@ def file_of(address: str, base: str, folder: Path) -> Path:
     return path / "index.html" if path.is_dir() else path
 
 
-@lru_cache(maxsize=None)
+@cache
 def weight(path: Path) -> int:
     """How many bytes a file has when it is compressed as servers do; what is no file weighs nothing."""
     return len(gzip.compress(path.read_bytes(), 6)) if path.is_file() else 0

@@ -1,4 +1,4 @@
-"""Print the rendered book into one PDF: title page, contents with page numbers, chapters, links, bookmarks."""
+"""Print the rendered book into one PDF: title page, contents with page numbers, chapters, bookmarks."""
 
 import argparse
 import html
@@ -16,7 +16,9 @@ from pdf_pages import Book, chapters_of, document
 ROOT = Path(__file__).resolve().parent.parent
 FIT = Path(__file__).with_name("pdf_fit.js")
 WIDTH = 658  # CSS pixels of the 174 mm between the margins of print.css
-MATH = {"options": {"processHtmlClass": "tex2jax_process|mathjax_process|math|output_area", "enableMenu": False}}
+MATH = {
+    "options": {"processHtmlClass": "tex2jax_process|mathjax_process|math|output_area", "enableMenu": False}
+}
 MATH |= {"svg": {"fontCache": "global"}}
 MINUTES = 10
 LEVELS = ["part", "chapter", "section"]
@@ -33,7 +35,8 @@ def front_page(root: Path) -> str:
         f'<header class="cx-title"><p class="cx-name">{words["title"]}</p>'
         f"<p>An executable twin of the paper <em>{html.escape(paper['title'])}</em><br>"
         f'by {html.escape(authors)}<br>(<a href="https://doi.org/{paper["doi"]}">doi:{paper["doi"]}</a>)</p>'
-        f'<p class="cx-by">{words["author"]}, version {citation["version"]}, {words["copyright"]}</p></header>'
+        f'<p class="cx-by">{words["author"]}, version {citation["version"]}, {words["copyright"]}</p>'
+        "</header>"
     )
 
 
@@ -64,7 +67,7 @@ def make(folder: Path, toc: Path, root: Path, target: Path) -> list[str]:
         say("formulas set")
         page.evaluate(FIT.read_text(encoding="utf-8"))
         clipped = page.evaluate("clipped()")
-        say("wide things fitted")
+        say(f"wide things fitted; smallest: {', '.join(page.evaluate('smallest()'))}")
         print_book(page, target)
         say("printed once, for the page numbers")
         numbers, lines = pages_of(target), page.evaluate("lines()")
@@ -87,8 +90,9 @@ def add_bookmarks(path: Path, lines: list[list[str]], numbers: dict[str, int]) -
         level = LEVELS.index(kind)
         parent = next((above[i] for i in range(level - 1, -1, -1) if i in above), None)
         fit = pypdf.generic.Fit.fit()
+        number = numbers[place] - 1
         item = writer.add_outline_item(
-            words, numbers[place] - 1, parent=parent, fit=fit, is_open=level == 0
+            title=words, page_number=number, parent=parent, fit=fit, is_open=level == 0
         )
         above = {i: old for i, old in above.items() if i < level} | {level: item}
     writer.add_metadata({"/Title": "Coxeter triangulations, computed"})
@@ -115,7 +119,7 @@ def wrong(path: Path) -> list[str]:
     return faults
 
 
-def say(what: str, begin: float = time.time()) -> None:  # noqa: B008 (the time when the program began)
+def say(what: str, begin: float = time.time()) -> None:
     print(f"  {time.time() - begin:6.1f} s  {what}", flush=True)
 
 

@@ -11,12 +11,14 @@
   };
   const page = () => document.querySelector("main").getBoundingClientRect();
 
-  /* A table that sticks out of the page is set smaller, as a whole. */
+  /* A table that sticks out of the page breaks its lines; if that is not enough, it is set smaller, as a whole. */
   for (const table of all(".bd-article table").filter((box) => !box.parentElement.closest("table"))) {
     const { left } = table.getBoundingClientRect();
     const free = page().right - left;
-    const wide = Math.max(table.scrollWidth, table.getBoundingClientRect().width);
-    if (wide > free + 0.5) table.style.zoom = Math.max(0.4, (free / wide) * 0.995);
+    const measure = () => Math.max(table.scrollWidth, table.getBoundingClientRect().width);
+    if (free / measure() < 0.7) table.classList.add("cx-narrow");
+    const wide = measure();
+    if (wide > free + 0.5) table.style.zoom = (free / wide) * 0.995;
   }
   /* So is a formula. */
   for (const formula of all(".bd-article mjx-container")) {
@@ -55,6 +57,8 @@
     if (name === "msqrt") return `√${inner()}`;
     return inner();
   };
+  window.smallest = () => all("[style*=zoom]").map((box) => [Number(box.style.zoom), box.closest("article").id, box.localName])
+    .sort(([a], [b]) => a - b).slice(0, 5).map(([zoom, ...where]) => `${where.join(" ")} at ${Math.round(100 * zoom)} %`);
   window.lines = () => all(".cx-contents p").map((line) => {
     const place = line.querySelector(".cx-number").dataset.place;
     return [line.className.replace("cx-", ""), place, words(line.querySelector("a")).replace(/\s+/g, " ").trim()];

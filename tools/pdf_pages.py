@@ -1,7 +1,7 @@
 """The pages of the rendered book put together into one, for paper.
 
-Every id gets the name of its page before it, and every link to a page of the book becomes a link within. A link
-to a file that is not printed, such as the source of a check, leaves its words behind.
+Every id gets the name of its page before it, and every link to a page of the book becomes a link within. A
+link to a file that is not printed, such as the source of a check, leaves its words behind.
 """
 
 import html
@@ -19,8 +19,9 @@ from bs4 import BeautifulSoup, Tag
 
 # What is for hands only, or says again what stands elsewhere.
 LEFT_OUT = (
-    "script, style, button, .headerlink, .copybtn, .lg-controls, .cx-controls, .cx-screen-only, .viewcode-link,"
-    " .lg-claim .lg-meta, .lg-claim details, .lg-card details, .cell:has(> details.hide), .toggle-button, .noprint"
+    "script, style, button, .headerlink, .copybtn, .toggle-button, .viewcode-link, .noprint"
+    ", .lg-controls, .cx-controls, .lg-claim .lg-meta, .lg-claim details, .lg-card details"
+    ", .cell:has(> details.hide)"
 )
 NAMING = ("id", "for", "aria-labelledby", "aria-describedby", "aria-controls", "headers", "list")
 REFERENCE = re.compile(r"url\((['\"]?)#([^)'\"]+)\1\)")

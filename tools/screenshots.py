@@ -61,18 +61,21 @@ async def take_all(site: Path, chapters: list[Chapter], target: Path, workers: i
 
 def contact_sheet(chapters: list[Chapter]) -> str:
     """All pictures on one page, a row for each page of the book."""
-    rows = []
-    for chapter in chapters:
-        name = html.escape(chapter.name)
-        cells = [
-            f'<a href="{picture(name, mode)}"><img loading="lazy" src="{picture(name, mode)}" alt="{name}, {mode}"></a>'
-            for mode in MODES
-        ]
-        rows.append(f"<h2>{name}</h2><div>{''.join(cells)}</div>")
+
+    def shown(name: str, mode: str) -> str:
+        file = picture(name, mode)
+        return f'<a href="{file}"><img loading="lazy" src="{file}" alt="{name}, {mode}"></a>'
+
+    names = [html.escape(chapter.name) for chapter in chapters]
+    rows = [f"<h2>{name}</h2><div>{''.join(shown(name, mode) for mode in MODES)}</div>" for name in names]
+    style = (
+        "body {font-family: sans-serif; margin: 1rem} div {display: flex; gap: 1rem} a {flex: 3 1 0}"
+        " a:nth-child(n + 3) {flex: 1 1 0}"
+        " img {border: 1px solid #999; height: 22rem; object-fit: cover; object-position: top; width: 100%}"
+    )
     return (
-        '<!doctype html><html lang="en"><meta charset="utf-8"><title>Screenshots</title><style>'
-        "body{font-family:sans-serif;margin:1rem}div{display:flex;gap:1rem}a{flex:3 1 0}a:nth-child(n+3){flex:1 1 0}"
-        "img{border:1px solid #999;height:22rem;object-fit:cover;object-position:top;width:100%}</style>"
+        '<!doctype html><html lang="en"><meta charset="utf-8"><title>Screenshots</title>'
+        f"<style>{style}</style>"
         f"<h1>The pages in four modes</h1>{''.join(rows)}</html>\n"
     )
 
@@ -91,8 +94,9 @@ def main() -> int:
     chapters = chapters_of(options.toc)
     options.output.mkdir(parents=True, exist_ok=True)
     number = asyncio.run(take_all(options.site.resolve(), chapters, options.output, options.workers))
-    (options.output / "index.html").write_text(contact_sheet(chapters), encoding="utf-8")
-    print(f"{number} pictures of {len(chapters)} pages in {time.time() - begin:.0f} s: {options.output / 'index.html'}")
+    index = options.output / "index.html"
+    index.write_text(contact_sheet(chapters), encoding="utf-8")
+    print(f"{number} pictures of {len(chapters)} pages in {time.time() - begin:.0f} s: {index}")
     return 0
 
 
