@@ -79,16 +79,17 @@ class Visitor:
         await window.page.evaluate("probe.thin()")
         seen.note("axe light", await window.ask("axe()"))
         await window.page.emulate_media(color_scheme="dark")
-        await window.page.evaluate("probe.dark()")
+        await window.page.evaluate("probe.thinner(), probe.dark()")
         seen.note("axe dark", await window.ask("axe", COLOURS))
         await window.page.emulate_media(color_scheme="light")
 
     async def _phone(self, seen: Seen, full: bool) -> None:
         """From the file system, on a phone, in the dark."""
         await self.phone.open(seen)
-        seen.note("overflow", await self.phone.ask("overflow()"))
         if full:
             seen.note("formulas", await self.phone.ask("sampled", UNSET))
+            await self.phone.page.evaluate("probe.unfold()")
+        seen.note("overflow", await self.phone.ask("overflow()"))
 
     async def time(self, page: str) -> float:
         """Seconds until a page can be used."""

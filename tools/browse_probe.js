@@ -60,6 +60,9 @@ window.probe = (() => {
     return found;
   };
 
+  /* Open all that is folded, but not what waits to come into view. */
+  const unfold = () => all("details:not(.lg-group, .lg-claim details)").forEach((box) => { box.open = true; });
+
   /* What sticks out of a narrow page, and the boxes that scroll sideways without being meant to. */
   const MARKED = "pre, .math, mjx-container, .lg-scroll, .table-box, .pst-scrollable-table-container, .cx-scroll";
   const scrolls = (element) => /auto|scroll|hidden|clip/.test(getComputedStyle(element).overflowX);
@@ -68,10 +71,11 @@ window.probe = (() => {
     const wide = innerWidth;
     const found = [];
     if (root.scrollWidth > wide) {
-      const out = all("body *").filter((element) => {
+      const out = all("body *:not(svg *)").filter((element) => {
+        if (!element.checkVisibility({ contentVisibilityAuto: true })) return false;
         const { left, right, width } = element.getBoundingClientRect();
         const words = getComputedStyle(element).overflowX === "visible" ? left + element.scrollWidth : right;
-        if (Math.max(right, words) + scrollX <= wide + 1 || !width || !element.checkVisibility()) return false;
+        if (Math.max(right, words) + scrollX <= wide + 1 || !width) return false;
         for (let box = element.parentElement; box && box !== document.body; box = box.parentElement) {
           if (scrolls(box) || getComputedStyle(box).position === "fixed") return false;
         }
@@ -80,9 +84,10 @@ window.probe = (() => {
       const deepest = out.filter((element) => !out.some((other) => other !== element && element.contains(other)));
       found.push(`the page is ${root.scrollWidth} px wide: ${deepest.slice(0, 4).map(place).join(", ")}`);
     }
-    for (const box of all(".bd-article *, main *")) {
-      if (box.scrollWidth <= box.clientWidth + 1 || !box.clientWidth || box.closest("svg")) continue;
-      if (!/auto|scroll/.test(getComputedStyle(box).overflowX) || !box.checkVisibility()) continue;
+    for (const box of all("main *:not(svg *, mjx-container *, pre *)")) {
+      if (!box.checkVisibility({ contentVisibilityAuto: true })) continue; // its width is not known yet
+      if (!/auto|scroll/.test(getComputedStyle(box).overflowX)) continue;
+      if (box.scrollWidth <= box.clientWidth + 1 || !box.clientWidth) continue;
       const table = [...box.children].every((child) => child.matches("table") || child.querySelector("table, pre"));
       if (!box.closest(MARKED) && !table) found.push(`scrolls sideways: ${place(box)} (${box.scrollWidth} in ${box.clientWidth} px)`);
     }
@@ -166,12 +171,13 @@ window.probe = (() => {
     return [marks.get(element), place(element), seen(element)];
   };
 
-  /* Axe asks each pair of elements. Of what is there a thousand times, made by one template, some stay: of formulas
-     the first ones and those in links, of coloured code two of each colour, of the entries of a list of claims or of
-     names some of each class. All else stays. */
-  const REPEATED = ".lg-claim, dl.py, table.indextable li";
+  /* Axe takes a minute for ten thousand elements. Of what is there a thousand times, made by one template, some stay:
+     of formulas the first ones and those in links, of coloured code two words of each colour, of the claims, the
+     errata and the entries of an index some of each class, of a table the first rows; and of drawings the words. */
+  const REPEATED = ".lg-claim, .lg-errata tbody, dl.py, table.indextable li";
   const thin = (each = 6) => {
-    all("mjx-container").slice(each).filter((box) => !box.closest("a")).forEach((box) => box.replaceChildren("x"));
+    const formulas = all("mjx-container").slice(each).filter((box) => !box.closest("a"));
+    formulas.forEach((box) => (box.closest("span.math") ?? box).replaceWith("x"));
     const count = new Map();
     const often = (element, most) => {
       const key = `${element.className} ${Object.values(element.dataset).slice(0, 2)}`;
@@ -182,7 +188,22 @@ window.probe = (() => {
     all("pre span").forEach((word) => {
       if (word.isConnected && !word.querySelector("a") && often(word, 2)) word.replaceWith(word.textContent);
     });
+    all("svg:not(mjx-container svg) :is(path, line, circle, ellipse, polygon, polyline, rect, use, defs)")
+      .filter((shape) => !shape.querySelector("title")).forEach((shape) => shape.remove());
+    all("tbody").forEach((body) => [...body.rows].slice(each).forEach((row) => row.remove()));
     document.normalize();
+  };
+
+  /* Colours come from classes: in the dark three of each kind of text stay, told by the classes around it. */
+  const thinner = (each = 3) => {
+    const count = new Map();
+    for (const leaf of all("body *:not(:has(*))").filter((element) => element.textContent.trim())) {
+      const around = [];
+      for (let box = leaf; box && around.length < 4; box = box.parentElement) around.push(`${box.localName} ${box.className}`);
+      const key = around.join("|");
+      count.set(key, (count.get(key) ?? 0) + 1);
+      if (count.get(key) > each) leaf.remove();
+    }
   };
 
   /* As the theme's own button does. */
@@ -200,5 +221,5 @@ window.probe = (() => {
         return `${id}${why}: ${target.flat().join(" ")} ${squeeze(html, 110)}`;
       }));
   };
-  return { interactive, formulas, sampled, overflow, alternatives, keyboard, tabbable, focused, thin, dark, axe };
+  return { interactive, formulas, sampled, overflow, alternatives, keyboard, tabbable, focused, thin, thinner, dark, axe, unfold };
 })();

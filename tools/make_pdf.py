@@ -47,8 +47,9 @@ def pages_of(path: Path) -> dict[str, int]:
     return {name.lstrip("/"): (reader.get_destination_page_number(place) or 0) + 1 for name, place in places}
 
 
-def print_book(page: Any, path: Path) -> None:
-    page.pdf(path=path, prefer_css_page_size=True, print_background=True, tagged=True)
+def print_book(page: Any, path: Path, tagged: bool = True) -> None:
+    """Print to A4, with marks for those who have it read to them, which take twice the time."""
+    page.pdf(path=path, prefer_css_page_size=True, print_background=True, tagged=tagged)
 
 
 def make(folder: Path, toc: Path, root: Path, target: Path) -> list[str]:
@@ -68,7 +69,7 @@ def make(folder: Path, toc: Path, root: Path, target: Path) -> list[str]:
         page.evaluate(FIT.read_text(encoding="utf-8"))
         clipped = page.evaluate("clipped()")
         say(f"wide things fitted; smallest: {', '.join(page.evaluate('smallest()'))}")
-        print_book(page, target)
+        print_book(page, target, tagged=False)
         say("printed once, for the page numbers")
         numbers, lines = pages_of(target), page.evaluate("lines()")
         lost = page.evaluate("numbers => fill(numbers)", numbers)

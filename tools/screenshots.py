@@ -14,24 +14,28 @@ from browse_server import serve
 from pdf_pages import Chapter, chapters_of
 
 ROOT = Path(__file__).resolve().parent.parent
-MODES = {f"{size}-{scheme}": (size, scheme) for size in ("wide", "phone") for scheme in ("light", "dark")}
-SIZES = {"wide": WIDE, "phone": PHONE}
+SIZES, SCHEMES = {"wide": WIDE, "phone": PHONE}, ("light", "dark")
+MODES = [f"{size}-{scheme}" for size in SIZES for scheme in SCHEMES]
 TALLEST = 16000  # pixels; Chromium draws no taller picture
 SETTLED = 400  # milliseconds until what moves has come to rest
 
 
-async def take(browser: Any, base: str, name: str, mode: str, target: Path) -> None:
-    """A picture of a page in a mode: of the whole page, or of what of it can be drawn."""
-    size, scheme = MODES[mode]
-    context = await browser.new_context(viewport=SIZES[size], color_scheme=scheme, reduced_motion="reduce")
+async def take(browser: Any, base: str, name: str, size: str, target: Path) -> None:
+    """Two pictures of a page, light and dark: of the whole page, or of what of it can be drawn."""
+    context = await browser.new_context(viewport=SIZES[size], color_scheme="light", reduced_motion="reduce")
     await context.add_init_script(path=PROBE)
     page = await context.new_page()
     await page.goto(f"{base}{name}.html", wait_until="load")
     await page.evaluate("probe.interactive()")
-    await page.wait_for_timeout(SETTLED)
-    height = await page.evaluate("document.documentElement.scrollHeight")
-    whole = {"x": 0, "y": 0, "width": SIZES[size]["width"], "height": min(height, TALLEST)}
-    await page.screenshot(path=target / picture(name, mode), full_page=True, clip=whole)
+    for scheme in SCHEMES:
+        await page.emulate_media(color_scheme=scheme)
+        await page.evaluate(
+            f"document.documentElement.dataset.theme = {scheme!r}"
+        )  # as the theme's button does
+        await page.wait_for_timeout(SETTLED)
+        height = await page.evaluate("document.documentElement.scrollHeight")
+        whole = {"x": 0, "y": 0, "width": SIZES[size]["width"], "height": min(height, TALLEST)}
+        await page.screenshot(path=target / picture(name, f"{size}-{scheme}"), full_page=True, clip=whole)
     await context.close()
 
 
@@ -46,17 +50,17 @@ def picture(name: str, mode: str) -> str:
 
 async def take_all(site: Path, chapters: list[Chapter], target: Path, workers: int) -> int:
     """All pictures, some at a time; how many."""
-    jobs = [(chapter.name, mode) for mode in MODES for chapter in chapters]
+    jobs = [(chapter.name, size) for size in SIZES for chapter in chapters]
     queue = iter(jobs)
 
     async def work(browser: Any, base: str) -> None:
-        for name, mode in queue:
-            await take(browser, base, name, mode, target)
+        for name, size in queue:
+            await take(browser, base, name, size, target)
 
     with serve(site) as base:
         async with chromium() as browser:
             await asyncio.gather(*(work(browser, base) for _ in range(workers)))
-    return len(jobs)
+    return len(jobs) * len(SCHEMES)
 
 
 def contact_sheet(chapters: list[Chapter]) -> str:
