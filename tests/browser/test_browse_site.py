@@ -1,13 +1,17 @@
 """The browser finds each fault that is planted, and none on a good page."""
 
 import asyncio
+import doctest
 import random
 import subprocess
 import sys
 from pathlib import Path
+from types import ModuleType
 
+import browse_server
 import browse_site
 import pytest
+import screenshots
 from browse_baseline import EXCUSES, Baseline, Excuse
 from browse_chromium import ABSENT, find_chromium
 from browse_page import Seen
@@ -132,6 +136,13 @@ def test_the_table_has_a_row_for_each_page(tmp_path: Path) -> None:
     write(tmp_path, [seen], Baseline([]))
     assert "| a.html | 3 | 2 | 12 | 1.23 |" in (tmp_path / "browser.md").read_text()
     assert '"overflow": [' in (tmp_path / "browser.json").read_text()
+
+
+@pytest.mark.parametrize("module", [browse_server, screenshots])
+def test_the_examples_in_the_tools(module: ModuleType) -> None:
+    result = doctest.testmod(module)
+    assert result.attempted
+    assert not result.failed
 
 
 def test_addresses_lead_to_files_and_files_have_weights(site: Path) -> None:
