@@ -29,9 +29,8 @@ async def take(browser: Any, base: str, name: str, size: str, target: Path) -> N
     await page.evaluate("probe.interactive()")
     for scheme in SCHEMES:
         await page.emulate_media(color_scheme=scheme)
-        await page.evaluate(
-            f"document.documentElement.dataset.theme = {scheme!r}"
-        )  # as the theme's button does
+        theme = f"document.documentElement.dataset.theme = {scheme!r}"
+        await page.evaluate(theme)  # as the theme's button does
         await page.wait_for_timeout(SETTLED)
         height = await page.evaluate("document.documentElement.scrollHeight")
         whole = {"x": 0, "y": 0, "width": SIZES[size]["width"], "height": min(height, TALLEST)}
