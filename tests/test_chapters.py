@@ -9,8 +9,10 @@ from pathlib import Path
 import nbformat
 import pytest
 
-from coxeter.ledger import all_claims
+from coxeter.errors import InvalidInput
+from coxeter.ledger import all_claims, find_claim, run_claim
 from coxeter.ledger.inventory import belongs
+from coxeter.pages import Judged, Ledger
 
 FOLDER = Path(__file__).resolve().parent.parent / "notebooks"
 PATHS = sorted(FOLDER.glob("*.ipynb"))
@@ -118,3 +120,12 @@ def test_every_claim_has_its_place_in_a_chapter() -> None:
 def test_what_a_chapter_speaks_of_is_claimed(path: Path) -> None:
     claims = all_claims()
     assert [id for id in spoken_of(path) if not any(belongs(claim, id) for claim in claims)] == []
+
+
+def test_a_badge_can_speak_of_one_claim_alone() -> None:
+    ids = ("lem-9", "lem-9.chain")
+    ledger = Ledger(tuple(Judged(find_claim(id), run_claim(id)) for id in ids))
+    assert [x.id for x in ledger.find("lem-9")] == ["lem-9", "lem-9.chain"]
+    assert [x.id for x in ledger.find("lem-9!")] == ["lem-9"]
+    with pytest.raises(InvalidInput, match="no claim 'lem-90!'"):
+        ledger.find("lem-90!")
