@@ -70,7 +70,7 @@ def notebook(output: str) -> str:
     )
 
 
-OUTPUT = "Holds (`lem-90`, decided by `coxeter.proofs.sizes.longest_edge`), unlike `other`."
+OUTPUT = "Holds (`lem-90`, decided by `coxeter.proofs.sizes.longest_edge`), unlike `other`, for $d$."
 
 
 @pytest.fixture
@@ -186,6 +186,8 @@ def test_what_is_folded_says_what_it_is(book):
     summary = soup(out / "notebooks" / "one.html").select_one("details.hide summary")
     assert "How this is known: Theorem 90, Lemma 90 (3 claims)" in summary.get_text()
     assert not summary.has_attr("aria-label")
+    assert [x.get_text() for x in summary.parent.select(".lg-tex")] == ["\\(d\\)"]
+    assert not summary.parent.select(".math")
 
 
 def test_titles_are_plain_where_no_script_sets_formulas(book):

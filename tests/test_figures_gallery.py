@@ -2,6 +2,7 @@
 
 import re
 from pathlib import Path
+from types import SimpleNamespace
 
 import book_figures
 import pytest
@@ -47,6 +48,36 @@ def test_links_to_the_files():
     assert "PDF of: Two neighbours and their circles" in line
     assert "<code>paper_figure(13)</code>" in line
     assert "&quot;A~2&quot;" in book_figures.links("protection", "")
+
+
+def test_files_are_painted_once(tmp_path, monkeypatch):
+    name = "figure-13"
+    monkeypatch.setattr(book_figures, "GALLERY", {name: GALLERY[name]})
+    out = tmp_path / "html"
+    app = SimpleNamespace(
+        outdir=out, builder=SimpleNamespace(format="html"), env=SimpleNamespace(found_docs={"book/figures"})
+    )
+    (tmp_path / "figures").mkdir()
+    (tmp_path / "figures" / "figure-13-old.pdf").write_bytes(b"")
+    book_figures.write_figures(app, None)
+    written = {path.name: path.read_bytes() for path in (out / "downloads").iterdir()}
+    assert set(written) == {f"{name}.svg", f"{name}.pdf", f"{name}.png"}
+    assert written[f"{name}.pdf"].startswith(b"%PDF")
+    kept = sorted((tmp_path / "figures").iterdir())
+    assert len(kept) == 3
+    for path in kept:
+        path.write_bytes(b"kept")  # is taken as it is the next time
+    book_figures.write_figures(app, None)
+    assert {path.read_bytes() for path in (out / "downloads").iterdir()} == {b"kept"}
+
+
+@pytest.mark.parametrize(("error", "docs"), [(ValueError(), {"book/figures"}), (None, {"index"})])
+def test_nothing_is_painted_without_the_gallery(error, docs, tmp_path):
+    app = SimpleNamespace(
+        outdir=tmp_path / "html", builder=SimpleNamespace(format="html"), env=SimpleNamespace(found_docs=docs)
+    )
+    book_figures.write_figures(app, error)
+    assert not list(tmp_path.iterdir())
 
 
 def _inverse_heights(name):

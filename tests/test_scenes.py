@@ -17,6 +17,7 @@ from coxeter import (
     Simplex,
     affine_reflection,
     delaunay_verdict,
+    normalized_qualities,
     protection,
     root_system,
     triangulation,
@@ -286,6 +287,14 @@ def test_corners_of_the_cube_in_b_take_turns():
     for p, q in combinations(corners, 2):
         if squared_distance(p, q) == edge:
             assert {label[p], label[q]} == {0, 1}
+
+
+def test_a_is_the_best_by_every_measure():
+    best = normalized_qualities(triangulation("A~3").simplex)
+    for name in ("B~3", "C~3"):
+        assert all(
+            best[key] > value for key, value in normalized_qualities(triangulation(name).simplex).items()
+        )
 
 
 def test_normals_of_c_have_two_lengths():

@@ -144,6 +144,14 @@ def test_a_table_without_a_head_has_rows_only(show):
     assert not page.get_by_role("button", name="Exact values").count()
 
 
+def test_formulas_are_left_until_their_fold_is_opened(show):
+    page = show('<details><summary>How</summary><span class="lg-tex">\\(d\\)</span></details>', "folds.js")
+    assert page.locator("span.lg-tex").count() == 1
+    page.get_by_text("How").click()
+    page.wait_for_selector("span.math")
+    assert page.locator("span.lg-tex").count() == 0
+
+
 # -- the graph ---------------------------------------------------------------------------------------------
 
 

@@ -24,11 +24,14 @@ from sphinx.util import logging
 import coxeter.proofs
 from coxeter.errors import CoxeterError
 from coxeter.pages.judged import Ledger
+from coxeter.pages.listing import LAZY
+from coxeter.pages.markup import MATHS
 from coxeter.pages.naming import names_of_items
 from coxeter.pages.wording import type_plain
 
 EXPLAIN = re.compile(r"\bexplain\(([^()]*)\)")
 DOTTED = re.compile(r"coxeter(?:\.\w+)+")
+FOLD = re.compile(r'<details class="admonition hide .*?</details>', re.DOTALL)
 UNNAMED = '<summary aria-label="Toggle hidden content">'
 """So the notebooks' extension writes it; the label would hide the words from a screen reader."""
 
@@ -163,5 +166,8 @@ def _about(app: Sphinx, ids: list[str]) -> str:
 
 
 def say_folds(app: Sphinx, pagename: str, template: str, context: dict[str, Any], *_: Any) -> None:
-    if "body" in context:
-        context["body"] = context["body"].replace(UNNAMED, "<summary>")
+    """The words of a fold are heard, and its formulas set when it is opened: `folds.js`."""
+    if UNNAMED in context.get("body", ""):
+        body = context["body"].replace(UNNAMED, "<summary>")
+        context["body"] = FOLD.sub(lambda fold: fold[0].replace(f'class="{MATHS}"', f'class="{LAZY}"'), body)
+        app.add_js_file("folds.js", loading_method="defer")

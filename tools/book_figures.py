@@ -1,8 +1,8 @@
 """The book's gallery: figures by name, with captions of their own and with files to take away.
 
-``:::{drawing} figure-3`` shows a figure of `coxeter.figures.gallery`; what is written in it is the caption. The
-files, SVG, PDF and PNG, are written at the end, next to the other downloads; those for paper are kept beside
-the pages from one build to the next, as painting them takes a while.
+``:::{drawing} figure-3`` shows a figure of `coxeter.figures.gallery`; what is written in it is the caption.
+The files, SVG, PDF and PNG, are written at the end, next to the other downloads; they are kept from one build
+to the next, as painting them takes a while.
 """
 
 import hashlib
@@ -21,6 +21,7 @@ from sphinx.util.docutils import SphinxDirective
 from coxeter.figures import Figure, canvas, files
 from coxeter.figures.gallery import GALLERY
 
+PAGE = "book/figures"
 SUFFIXES = ("svg", "pdf", "png")
 
 log = logging.getLogger(__name__)
@@ -72,12 +73,12 @@ def links(name: str, root: str) -> str:
 
 
 def write_figures(app: Sphinx, error: Exception | None) -> None:
-    """Write the files of all figures of the gallery."""
-    if error is not None or app.builder.format != "html":
+    """Write the files of all figures of the gallery, if the book has it."""
+    if error is not None or app.builder.format != "html" or PAGE not in app.env.found_docs:
         return
     folder, kept = Path(app.outdir) / "downloads", Path(app.outdir).parent / "figures"
     for path in (folder, kept):
-        path.mkdir(exist_ok=True)
+        path.mkdir(parents=True, exist_ok=True)
     painter = getsource(files) + getsource(canvas)
     current = set()
     for name in GALLERY:

@@ -1,8 +1,8 @@
 """What the book mends of its theme.
 
 * The theme brings each icon twice: as a font, and in a script of half a megabyte that nothing here needs.
-* Formulas are set by a script only on pages that have some; MathJax's menu, which makes each formula a stop of the
-  Tab key, is left away.
+* Formulas are set by a script only on pages that have some; MathJax's menu, which makes each formula a stop
+  of the Tab key, is left away.
 """
 
 from pathlib import Path

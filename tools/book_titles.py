@@ -1,6 +1,7 @@
-"""Titles without TeX, where no script sets formulas: browser, search, links to the next chapter.
+"""Titles without TeX, where no script sets formulas: side bar, browser, search, links to the next chapter.
 
-Side bars and headings keep their formulas.
+A page without formulas then needs no such script, and a link that is all formula has words for a screen
+reader. Headings on a page keep their formulas.
 """
 
 import re
@@ -59,6 +60,8 @@ def plain_title(app: Sphinx, doctree: nodes.document) -> None:
         if title is not None and list(title.findall(nodes.math)):
             words = "".join(to_text(str(x)) if _is_math(x) else str(x) for x in title.findall(nodes.Text))
             titles[app.env.docname] = nodes.title("", words)
+            if link := next(iter(app.env.tocs[app.env.docname].findall(nodes.reference)), None):
+                link.children = [nodes.Text(words)]
 
 
 def _is_math(text: nodes.Text) -> bool:

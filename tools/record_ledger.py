@@ -12,17 +12,17 @@ from pathlib import Path
 
 from coxeter import ledger
 from coxeter.errors import CoxeterError
+from coxeter.ledger import rooms
 from coxeter.ledger.claim import CLAIMS
 from coxeter.ledger.pools import cpus, process_pool
 from coxeter.ledger.recorded import FILE, Record, differences, record, recorded, write
 from coxeter.ledger.reporting import score
-from coxeter.ledger.rooms import ROOMS
 
 
 def where_found() -> dict[str, str]:
     """The room in which each claim is found: import it, and the claim is there."""
     found: dict[str, str] = {}
-    for room in ROOMS:
+    for room in rooms.ROOMS:
         import_module(f"{ledger.__name__}.{room}")
         for id in CLAIMS:
             found.setdefault(id, room)

@@ -136,7 +136,7 @@
       this.figure = figure;
       this.data = JSON.parse(figure.querySelector("script[type='application/json']").textContent);
       this.start = { simplex: true, circumsphere: true, circumcentre: true, incentre: false, normals: false, mirrors: false,
-        apexes: this.data.apexes.some(({ where }) => where !== "outside"), patch: false, through: false, star: this.data.around, apart: 0, shown: Infinity, step: null, zoom: 1 };
+        apexes: false, patch: false, through: false, star: this.data.around, apart: 0, shown: Infinity, step: null, zoom: 1 };
       this.state = { ...this.start };
       this.own = this.data.alcoves[this.star.alcoves[0]].map((n) => this.data.points[n]);
       this.build();
@@ -174,8 +174,10 @@
       this.slider = make("input", { type: "range", min: 0, max: 1.5, step: 0.05, value: 0 });
       this.slider.addEventListener("input", () => this.apart(Number(this.slider.value)));
       this.select = select;
+      const through = this.box("through", "See through them");
+      through.classList.add("cx-wide");
       const patch = this.group("Simplices around a vertex", make("label", { class: "cx-wide" }, "Around", select),
-        make("label", { class: "cx-wide" }, "Explode", this.slider), this.box("through", "See through them"));
+        make("label", { class: "cx-wide" }, "Explode", this.slider), through);
       const steps = this.group("Reflections one by one", this.button("Start", () => this.step(1)), this.button("Back", () => this.step(this.count - 1)),
         this.button("Next", () => this.step(this.count + 1)), this.button("All", () => this.step(Infinity)));
       const view = this.group("View", this.button("Nearer", () => this.zoom(1.2)), this.button("Farther", () => this.zoom(1 / 1.2)),
@@ -318,7 +320,7 @@
       }
       if (state.normals) found.push(...this.normals(c));
       if (state.mirrors) data.walls.forEach((wall, k) => found.push(...this.mirror(wall, mean(this.own), 0.95 * data.circumradius, c.labels[k], 0.16)));
-      if (state.apexes) found.push(...this.apexes(c));
+      this.apexes.forEach((apex) => found.push(...this.apex(c, apex)));
       return found;
     }
 
@@ -359,15 +361,17 @@
       });
     }
 
-    apexes(c) {
-      return this.data.apexes.flatMap(({ at, label, where: place }) => {
-        const near = place !== "outside";
-        const text = `s${LOW[label]}(u${LOW[label]})`;
-        return [
-          lines(FACES[label].map((k) => [this.own[k], at]), c.labels[label], near ? 3 : 1.5, { dash: near ? "solid" : "dot" }),
-          marks([at], SIGNS[label] === "cross" ? "cross" : `${SIGNS[label]}-open`, c.labels[label], near ? 9 : 6, c.ink, [text]),
-        ];
-      });
+    /* The apexes of neighbours; with the circumsphere come those that lie in it or on it. */
+    get apexes() {
+      return this.data.apexes.filter(({ where }) => this.state.apexes || (this.state.circumsphere && where !== "outside"));
+    }
+
+    apex(c, { at, label, where }) {
+      const near = where !== "outside";
+      return [
+        lines(FACES[label].map((k) => [this.own[k], at]), c.labels[label], near ? 3 : 1.5, { dash: near ? "solid" : "dot" }),
+        marks([at], label === 3 ? "cross" : `${SIGNS[label]}-open`, c.labels[label], near ? 9 : 6, c.ink, [`s${LOW[label]}(u${LOW[label]})`]),
+      ];
     }
 
     /* The new simplex on its way through the mirror. */
@@ -390,9 +394,8 @@
     get reach() {
       const points = [...this.own];
       if (this.state.patch) this.star.alcoves.forEach((_, n) => points.push(...this.solid(n)));
-      const far = this.state.apexes ? this.data.apexes.map(({ at }) => at) : [];
-      const reach = (list) => Math.max(0, ...list.map((point) => size(add(point, this.centre, -1))));
-      return Math.max(reach(points), 0.75 * reach(far));
+      points.push(...this.apexes.map(({ at }) => at));
+      return Math.max(...points.map((point) => size(add(point, this.centre, -1))));
     }
 
     layout() {

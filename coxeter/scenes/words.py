@@ -158,7 +158,7 @@ def told(scene: Scene) -> dict[str, str]:
     """A sentence or two for each thing that can be shown."""
     simplex = scene.triangulation.simplex
     normals = [f"{sub('n', f.index)} = {point(f.normal)}" for f in scene.facets]
-    walls = [f"{equation(wall)} ({k})" for k, wall in enumerate(scene.star.alcoves[0].walls)]
+    walls = [f"{equation(wall)} of facet {k}" for k, wall in enumerate(scene.star.alcoves[0].walls)]
     corners = [f"{sub('u', k)} = {point(u)}" for k, u in enumerate(scene.vertices)]
     squares = [f"{number(apex.squared_distance)} for {_apex(apex)}" for apex in scene.apexes]
     in_decimals = decimals(scene.incentre)
@@ -170,7 +170,7 @@ def told(scene: Scene) -> dict[str, str]:
         "incentre": f"Incentre: {point(scene.incentre)}{in_decimals and f' ≈ {in_decimals}'}. "
         f"Inradius: {approximately(scene.inradius)}.",
         "normals": f"Inward normals: {joined(normals)}.",
-        "mirrors": f"Mirrors of the facets: {joined(walls)}.",
+        "mirrors": f"Mirrors: {joined(walls)}.",
         "apexes": f"{in_the_ball(scene)} Squared distances from the circumcentre: {joined(squares)}; "
         f"of the vertices, {number(simplex.squared_circumradius)}.",
     }
