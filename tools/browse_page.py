@@ -17,6 +17,7 @@ PLOTTING = "plotly.min.js"
 PLOTTED = re.compile(r'class="[^"]*\bcx-(?:scene|explorer)\b')
 COLOURS = ["color-contrast", "link-in-text-block"]  # the rules whose verdict differs in the dark
 TABS = 90  # how often Tab is pressed at most
+PATIENCE = 240_000  # milliseconds that a page may take, with all that is asked of it
 UNSET = 15_000  # milliseconds that a formula in view may take
 
 
@@ -123,6 +124,7 @@ class Window:
         window = cls(base)
         context = await browser.new_context(viewport=size, color_scheme=scheme, reduced_motion="reduce")
         await context.add_init_script(path=PROBE)
+        context.set_default_timeout(PATIENCE)
         window.page = page = await context.new_page()
         session = await context.new_cdp_session(page)
         await session.send("Network.enable")

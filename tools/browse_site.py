@@ -10,11 +10,13 @@ import sys
 import time
 from pathlib import Path
 
+import browse_page
 from browse_baseline import Baseline
 from browse_chromium import ABSENT, chromium, find_chromium
 from browse_page import SECONDS, Seen, Visitor, visitor
 from browse_report import faults, table, write
 from browse_server import serve
+from playwright.async_api import Error as PlaywrightError
 
 ALIKE = ("_modules/", "checks/")
 AXED = 10  # of the pages alike, every so many-th is given to axe
@@ -46,14 +48,20 @@ async def browse(folder: Path, workers: int, only: list[str] | None = None) -> l
             full = name not in alike
             axe = full or alike.index(name) % AXED == 0
             begin = time.time()
-            seen.append(await one.visit(name, full, axe, full and presses(folder, name)))
+            visit = one.visit(name, full, axe, full and presses(folder, name))
+            try:
+                seen.append(await asyncio.wait_for(visit, browse_page.PATIENCE / 1000))
+            except (TimeoutError, PlaywrightError) as error:  # it hangs, or takes its window with it
+                seen.append(Seen(name))
+                seen[-1].note("errors", [f"could not be looked at: {type(error).__name__} {error}"])
+                one = await visitor(one.wide.page.context.browser, folder, one.wide.base)
             print(f"  {len(seen):3}/{len(names)}  {time.time() - begin:5.1f} s  {name}", flush=True)
 
     with serve(folder) as base:
         async with chromium() as browser:
             visitors = [await visitor(browser, folder, base) for _ in range(workers)]
             await asyncio.gather(*map(work, visitors))
-            await measure_again(visitors[0], seen)
+            await measure_again(await visitor(browser, folder, base), seen)
     return sorted(seen, key=lambda one: one.page)
 
 

@@ -9,7 +9,7 @@ from pathlib import Path
 from typing import Any
 
 from browse_chromium import ABSENT, chromium, find_chromium
-from browse_page import PHONE, PROBE, WIDE
+from browse_page import PATIENCE, PHONE, PROBE, WIDE
 from browse_server import serve
 from pdf_pages import Chapter, chapters_of
 
@@ -24,6 +24,7 @@ async def take(browser: Any, base: str, name: str, size: str, target: Path) -> N
     """Two pictures of a page, light and dark: of the whole page, or of what of it can be drawn."""
     context = await browser.new_context(viewport=SIZES[size], color_scheme="light", reduced_motion="reduce")
     await context.add_init_script(path=PROBE)
+    context.set_default_timeout(PATIENCE)
     page = await context.new_page()
     await page.goto(f"{base}{name}.html", wait_until="load")
     await page.evaluate("probe.interactive()")

@@ -58,6 +58,7 @@ PLANTED = {
     "trap": (TRAP, "keyboard", "Tab comes back"),
     "heavy": ('<img src="heavy.bin" alt="a">', "weight", "heavy.bin"),
     "plotting": ('<script src="plotly.min.js"></script>', "weight", "plotly.min.js is loaded"),
+    "hanging": ("<script>setTimeout(() => { while (true) {} }, 50)</script>", "errors", "could not be"),
     "lazy": ('<p class="lg-claim"><span class="lg-tex">x</span></p>', "formulas", "scrolled into view"),
 }
 
@@ -80,6 +81,7 @@ def test_each_planted_fault_is_found_and_nothing_on_a_good_page(
     site: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     monkeypatch.setattr("browse_page.UNSET", 200)
+    monkeypatch.setattr("browse_page.PATIENCE", 8000)
     seen = {one.page: one for one in asyncio.run(browse_site.browse(site, workers=2))}
     assert set(seen) == {f"{name}.html" for name in ["good", *PLANTED]}
     assert {kind: found for kind, found in seen["good.html"].found.items() if found} == {}
