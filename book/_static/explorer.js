@@ -166,10 +166,14 @@
       hoverlabel: { bgcolor: colour("--cx-paper"), bordercolor: colour("--cx-ink"), font: { color: colour("--cx-ink"), family: getComputedStyle(figure).fontFamily }, align: "left" },
     };
   };
+  /* What Plotly draws says nothing to a screen reader; the words beside it do. */
+  const hush = (box) => [...box.querySelectorAll("svg, canvas"), ...document.querySelectorAll("#js-plotly-tester")]
+    .forEach((drawn) => drawn.setAttribute("aria-hidden", "true"));
   const draw = (state) => {
     const curves = [...LETTERS, ...SINGLE].filter((x) => shown(x, state)).map((x) => curve(x, state));
     const traces = [...(state.limits ? limits(state) : []), ...curves, ...(state.printed ? misprints(state) : [])];
-    return window.Plotly.react(plot, traces, layout(state), { displayModeBar: false, responsive: true, scrollZoom: false });
+    return window.Plotly.react(plot, traces, layout(state), { displayModeBar: false, responsive: true, scrollZoom: false })
+      .then((done) => { hush(plot); return done; });
   };
 
   /* -- in words -- */

@@ -131,6 +131,10 @@
 
   /* -- one picture -- */
 
+  /* What Plotly draws says nothing to a screen reader; the words beside it do. */
+  const hush = (box) => [...box.querySelectorAll("svg, canvas"), ...document.querySelectorAll("#js-plotly-tester")]
+    .forEach((drawn) => drawn.setAttribute("aria-hidden", "true"));
+
   class Picture {
     constructor(figure) {
       this.figure = figure;
@@ -413,7 +417,8 @@
 
     draw() {
       if (!this.ready) return;
-      Plotly.react(this.stage, this.traces(), this.layout(), { displayModeBar: false, scrollZoom: false, responsive: true });
+      Plotly.react(this.stage, this.traces(), this.layout(), { displayModeBar: false, scrollZoom: false, responsive: true })
+        .then(() => hush(this.stage));
     }
 
     later() {
