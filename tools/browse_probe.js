@@ -50,9 +50,9 @@ window.probe = (() => {
     const found = [];
     for (const row of rows.filter((_, index) => index % step === 0)) {
       for (let box = row; box; box = box.parentElement) if (box.tagName === "DETAILS") box.open = true;
-      row.scrollIntoView({ block: "center", behavior: "instant" });
       const begin = performance.now();
-      while (row.querySelector(".lg-tex, .math:not(:has(mjx-container))") && performance.now() - begin < patience) await pause(20);
+      const show = () => row.scrollIntoView({ block: "center", behavior: "instant" }); // rows above may grow, once seen
+      for (show(); row.querySelector(".lg-tex, .math:not(:has(mjx-container))") && performance.now() - begin < patience; show()) await pause(20);
       if (row.querySelector(".lg-tex")) found.push(`not set when scrolled into view: ${squeeze(row.textContent)}`);
       found.push(...formulas(row));
     }
