@@ -150,7 +150,7 @@
   const highest = (state) => Math.max(...[...LETTERS, ...SINGLE].filter((x) => shown(x, state))
     .flatMap((x) => points(x, state).map((d) => height(entry(x, d, state), state))), 0.01);
   const layout = (state) => {
-    const axis = { color: colour("--cx-ink"), gridcolor: colour("--cx-grid"), zeroline: false, fixedrange: true };
+    const axis = { ticklabeloverflow: "allow", color: colour("--cx-ink"), gridcolor: colour("--cx-grid"), zeroline: false, fixedrange: true };
     const words = `${state.raw ? measure(state).name : `normalised ${measure(state).title}`}${isScaled(state) ? `, times ${power(state)}` : ""}`;
     const narrow = plot.clientWidth < 500;
     const step = [1, 2, 4, 8].find((n) => state.max / n <= (narrow ? 9 : 16)) ?? 8;
