@@ -183,7 +183,9 @@ def _bring_near(subgroup: Subgroup, folded: Folded) -> None:
     counts = _floor(2 * (folded.points @ weights.T) + scale * folded.unit, 2 * scale * folded.unit)
     step = Shift(_whole(counts @ subgroup.doubled_coroots))
     folded.steps.append(step)
-    folded.points = folded.points - step.vectors * (folded.unit / 2 if _is_float(folded.points) else folded.unit // 2)
+    folded.points = folded.points - step.vectors * (
+        folded.unit / 2 if _is_float(folded.points) else folded.unit // 2
+    )
 
 
 def _cross(subgroup: Subgroup, folded: Folded, active: NDArray[np.intp]) -> NDArray[np.intp]:

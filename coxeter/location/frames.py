@@ -54,7 +54,7 @@ class Frame:
         return "identity" if t.type.letter in "BCDF" or t.name == "E~8" else "basis"
 
     @cached_property
-    def _lengths(self) -> Floats:
+    def lengths(self) -> Floats:
         """The lengths sqrt(k (k + 1)) of the rows of Helmert's matrix."""
         k = np.arange(1.0, self.triangulation.dimension + 1)
         return np.sqrt(k * (k + 1))
@@ -67,22 +67,27 @@ class Frame:
         rows: Floats = (q * np.sign(np.diag(r))).T
         return rows
 
-    def inward(self, points: Floats) -> Floats:
-        """Points (n, d) in the coordinates of the roots."""
+    def aligned(self, points: Floats) -> Floats:
+        """Points (n, d) without offset, rotation and scale."""
         if self.offset is not None:
             points = points - self.offset
         if self.rotation is not None:
             points = points @ self.rotation
         if self.scale != 1:
             points = points / self.scale
+        return points
+
+    def inward(self, points: Floats) -> Floats:
+        """Points (n, d) in the coordinates of the roots."""
+        points = self.aligned(points)
         if self.kind == "identity":
             return points
-        return self._from_helmert(points) if self.kind == "helmert" else points @ self._basis
+        return from_helmert(points, self.lengths) if self.kind == "helmert" else points @ self._basis
 
     def outward(self, points: Floats) -> Floats:
         """Points (..., m) in the coordinates of the roots back to R^d."""
         if self.kind == "helmert":
-            points = self._to_helmert(points)
+            points = to_helmert(points, self.lengths)
         elif self.kind == "basis":
             points = points @ self._basis.T
         points = points * self.scale
@@ -90,16 +95,20 @@ class Frame:
             points = points @ self.rotation.T
         return points if self.offset is None else points + self.offset
 
-    def _from_helmert(self, points: Floats) -> Floats:
-        shares = points / self._lengths
-        z = np.zeros((*points.shape[:-1], points.shape[-1] + 1))
-        z[..., :-1] = np.cumsum(shares[..., ::-1], axis=-1)[..., ::-1]
-        z[..., 1:] -= shares * np.arange(1.0, points.shape[-1] + 1)
-        return z
 
-    def _to_helmert(self, z: Floats) -> Floats:
-        d = z.shape[-1] - 1
-        return (np.cumsum(z[..., :-1], axis=-1) - np.arange(1.0, d + 1) * z[..., 1:]) / self._lengths
+def from_helmert(points: Floats, lengths: Floats) -> Floats:
+    """Points of R^d in the d + 1 coordinates of the roots of A~d; from the last to the first, as the compiled code."""
+    shares = points / lengths
+    z = np.zeros((*points.shape[:-1], points.shape[-1] + 1))
+    z[..., :-1] = np.cumsum(shares[..., ::-1], axis=-1)[..., ::-1]
+    z[..., 1:] -= shares * np.arange(1.0, points.shape[-1] + 1)
+    return z
+
+
+def to_helmert(z: Floats, lengths: Floats) -> Floats:
+    """And back."""
+    d = z.shape[-1] - 1
+    return np.asarray((np.cumsum(z[..., :-1], axis=-1) - np.arange(1.0, d + 1) * z[..., 1:]) / lengths)
 
 
 def frame_of(

@@ -16,7 +16,7 @@ from ..affine import CoxeterTriangulation, triangulation
 from ..errors import InvalidInput
 from .folding import fold
 from .frames import Frame, frame_of
-from .locating import CHUNK, Locator, check_size, over_common_denominator, read
+from .locating import CHUNK, Locator, over_common_denominator, read
 from .subgroups import Ints, Subgroup, subgroup
 
 Floats = NDArray[np.float64]
@@ -94,6 +94,7 @@ class Grid:
     ) -> None:
         self.triangulation: CoxeterTriangulation = triangulation(getattr(name, "name", name))
         self.frame: Frame = frame_of(self.triangulation, scale, rotation, offset)
+        self.compiled = True
 
     def __repr__(self) -> str:
         return f"Grid({self.triangulation.name!r}{self.frame.words})"
@@ -156,20 +157,19 @@ class Grid:
         array = read(points, self.frame, (d, m))
         if array.dtype == object:
             return self._exactly(array)
-        if array.shape[1] == d:
-            z = self.frame.inward(array)
-        else:
-            z = array
-            self._in_span(z)
-        check_size(z)
-        parts = [self._locator.rounded(z[i : i + CHUNK]) for i in range(0, max(len(z), 1), CHUNK)]
-        found = Location(
-            self,
-            np.concatenate([part.keys for part in parts]),
-            np.concatenate([part.barycentric for part in parts]),
-            np.concatenate([part.open for part in parts]),
-        )
-        return self._closed(found, z) if self.frame.standard or array.shape[1] != d else found
+        if array.shape[1] != d:
+            self._in_span(array)
+            return self._closed(self._in_chunks(array, None), array)
+        if self.frame.kind == "helmert":
+            return self._in_chunks(self.frame.aligned(array), self.frame.lengths)
+        found = self._in_chunks(self.frame.inward(array), None)
+        return self._closed(found, array) if self.frame.standard else found
+
+    def _in_chunks(self, z: Floats, lengths: Floats | None) -> Location:
+        starts = range(0, max(len(z), 1), CHUNK)
+        parts = [self._locator.rounded(z[i : i + CHUNK], lengths, self.compiled) for i in starts]
+        arrays = ([getattr(part, name) for part in parts] for name in ("keys", "barycentric", "open"))
+        return Location(self, *map(np.concatenate, arrays))
 
     def _exactly(self, array: NDArray[Any]) -> Location:
         d, m = self.dimension, self._subgroup.ambient
@@ -185,7 +185,10 @@ class Grid:
 
     def _in_span(self, z: NDArray[Any]) -> None:
         """Refuse points outside the span of the roots."""
-        simple, weights = self.triangulation.roots.simple_roots, self.triangulation.roots.fundamental_coweights
+        simple, weights = (
+            self.triangulation.roots.simple_roots,
+            self.triangulation.roots.fundamental_coweights,
+        )
         if z.shape[1] == self.dimension:
             return
         left, right = simple.numerators.astype(z.dtype), weights.numerators.astype(z.dtype)
@@ -221,13 +224,19 @@ class Grid:
     def corners(self, keys: Ints) -> Ints:
         """The vertices in the coordinates of the roots, exactly: integers, times `_vertex_unit`."""
         folded = fold(self._subgroup, self._known(keys), self.key_unit)
-        return folded.undo(np.broadcast_to(self._corners, (len(keys), *self._corners.shape)), self._vertex_unit)
+        return folded.undo(
+            np.broadcast_to(self._corners, (len(keys), *self._corners.shape)), self._vertex_unit
+        )
 
     def neighbours(self, keys: Ints) -> Ints:
         """The keys (n, d + 1, ·) of the simplices across the facets; number k shares all vertices but label k."""
         folded = fold(self._subgroup, self._known(keys), self.key_unit)
-        images = [self._subgroup.wall(k).reflect(self._centre, self.key_unit) for k in range(self.dimension + 1)]
-        return folded.undo(np.broadcast_to(np.array(images), (len(keys), len(images), len(self._centre))), self.key_unit)
+        images = [
+            self._subgroup.wall(k).reflect(self._centre, self.key_unit) for k in range(self.dimension + 1)
+        ]
+        return folded.undo(
+            np.broadcast_to(np.array(images), (len(keys), len(images), len(self._centre))), self.key_unit
+        )
 
     def _known(self, keys: Ints) -> Ints:
         """Keys, or a refusal: folding must lead to the centre."""
@@ -236,7 +245,9 @@ class Grid:
             raise InvalidInput(f"keys of {self.triangulation.name} are rows of {len(self._centre)} integers")
         folded = fold(self._subgroup, keys, self.key_unit).points
         if len(wrong := np.flatnonzero((folded != self._centre).any(axis=1))):
-            raise InvalidInput(f"{keys[wrong[0]].tolist()} is no key of a simplex of {self.triangulation.name}")
+            raise InvalidInput(
+                f"{keys[wrong[0]].tolist()} is no key of a simplex of {self.triangulation.name}"
+            )
         return keys
 
     def star(self, key: Sequence[int], label: int) -> Ints:

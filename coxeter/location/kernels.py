@@ -63,7 +63,9 @@ def fold_plain(z: Any, m: int, rest: Any, turned: Any, shift: Any, order: Any, x
 
 
 @njit(cache=True, inline="always")
-def fold_signed(z: Any, d: int, kind: int, rest: Any, sizes: Any, ties: Any, shift: Any, order: Any, x: Any) -> None:
+def fold_signed(
+    z: Any, d: int, kind: int, rest: Any, sizes: Any, ties: Any, shift: Any, order: Any, x: Any
+) -> None:
     """Nearest integers, signs, sizes; x is the result, sorted, and `ties` ends as the signs, in this order."""
     odd = 0
     for i in range(d):

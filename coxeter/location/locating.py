@@ -11,16 +11,17 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from ..errors import InvalidInput
+from .compiled import fold_compiled, settle_compiled
 from .coordinates import barycentric
 from .folding import fold
-from .frames import Frame
+from .frames import Frame, from_helmert
 from .subgroups import Ints, Subgroup
 
 Floats = NDArray[np.float64]
 LARGEST = 2.0**40
 """Coordinates, in units of the fundamental simplex, up to which floats are taken: 12 bits are left within one."""
 CHUNK = 1 << 14
-"""So many points at a time: their intermediate arrays stay in the processor's cache."""
+"""So many points at a time are held in intermediate arrays, which then stay in the processor's cache."""
 
 
 @dataclass(frozen=True)
@@ -40,20 +41,27 @@ class Locator:
     centre: Ints
     key_unit: int
 
-    def rounded(self, z: Floats) -> Found:
-        """For floats (n, m)."""
+    def rounded(self, z: Floats, lengths: Floats | None = None, compiled: bool = True) -> Found:
+        """For floats (n, m); or (n, d), in Helmert's coordinates of A~d, if the lengths of his rows are given."""
+        factor = len(self.centre) * max(self.subgroup.triangulation.marks) * 2.0**-48
+        made = fold_compiled(self, z, lengths) if compiled else None
+        if made:
+            keys, shares, sizes = made
+            check_size(sizes)
+            return Found(keys, shares, settle_compiled(shares, sizes, factor))
+        if lengths is not None:
+            z = from_helmert(z, lengths)
+        sizes = np.abs(z).max(axis=1, initial=1.0)
+        check_size(sizes)
         folded = fold(self.subgroup, z, 1.0)
         shares = barycentric(self.subgroup, folded.points, 1.0)
-        return Found(self.keys(folded, len(z)), *settle(shares, self.bounds(z)))
-
-    def bounds(self, z: Floats) -> Floats:
-        """How far rounding may move a barycentric coordinate: 16 units in the last place for each coordinate."""
-        size = np.maximum(1.0, np.abs(z).max(axis=1, initial=0.0))
-        return np.asarray(size * (z.shape[1] * max(self.subgroup.triangulation.marks) * 2.0**-48))
+        return Found(self.keys(folded, len(z)), *settle(shares, sizes * factor))
 
     def keys(self, folded: Any, n: int) -> Ints:
         """The images of the centre."""
-        images: Ints = folded.undo(np.broadcast_to(self.centre, (n, 1, len(self.centre))), self.key_unit)[:, 0]
+        images: Ints = folded.undo(np.broadcast_to(self.centre, (n, 1, len(self.centre))), self.key_unit)[
+            :, 0
+        ]
         return images
 
     def exact(self, numerators: NDArray[Any], denominator: int) -> Found:
@@ -91,7 +99,9 @@ def read(points: ArrayLike, frame: Frame, columns: tuple[int, int]) -> NDArray[A
         array = np.empty((0, d))
     if array.ndim != 2 or array.shape[1] not in columns:
         also = f" (or {m}, in the coordinates of the roots)" if m != d else ""
-        raise InvalidInput(f"points of shape {array.shape} were given: expected (n, {d}){also}, a row for each point")
+        raise InvalidInput(
+            f"points of shape {array.shape} were given: expected (n, {d}){also}, a row for each point"
+        )
     if array.dtype.kind == "O":
         return _exact(array)
     if array.dtype.kind in "iu":
@@ -121,9 +131,9 @@ def over_common_denominator(array: NDArray[Any]) -> tuple[NDArray[Any], int]:
     return np.asarray(numerators, dtype=np.int64 if fits else object), denominator
 
 
-def check_size(z: Floats) -> None:
+def check_size(sizes: Floats) -> None:
     """Refuse coordinates so large that floats no longer tell simplices apart."""
-    largest = float(np.abs(z).max(initial=0.0))
+    largest = float(sizes.max(initial=0.0))
     if largest > LARGEST:
         raise InvalidInput(
             f"a coordinate is {largest:g} times the size of the simplices: floats do not tell them apart there; "

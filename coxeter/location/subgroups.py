@@ -57,6 +57,11 @@ class Subgroup:
     walls: tuple[int, ...]
 
     @property
+    def classical(self) -> bool:
+        """Whether it is the whole group."""
+        return not self.walls
+
+    @property
     def ambient(self) -> int:
         """The number of coordinates of a root."""
         return int(self.triangulation.roots.simple_roots.shape[1])
@@ -107,7 +112,9 @@ class Wall:
     def level(self, points: NDArray[Any], unit: Any) -> NDArray[Any]:
         """<x, normal> - offset for points (..., m): not negative on the side of the simplex."""
         level = -self.offset * unit
-        for i in np.flatnonzero(self.normal):  # one after the other, so that floats round as in the compiled code
+        for i in np.flatnonzero(
+            self.normal
+        ):  # one after the other, so that floats round as in the compiled code
             level = level + points[..., i] * self.normal[i]
         return level
 
