@@ -1,7 +1,7 @@
 # Needs Python 3.11 or newer and make; everything else goes into .venv.
 
 .DEFAULT_GOAL := book
-.PHONY: help setup book book-fast test lint notebooks lock benchmark clean
+.PHONY: help setup book book-fast pdf screenshots test lint notebooks lock benchmark clean
 
 BIN := .venv/bin
 STARTED := $(shell date +%s)
@@ -14,7 +14,7 @@ PYTHON = $(firstword $(foreach python,python3 python3.11 python3.12 python3.13 p
   $(python) -c 'import sys; sys.exit(sys.version_info < (3, 11))' 2>/dev/null && echo $(python))))
 
 help: ## list the targets
-	@sed -nE 's/^([a-z-]+):.*## (.*)/\1 \2/p' Makefile | while read name what; do printf '  %-10s %s\n' "$$name" "$$what"; done
+	@sed -nE 's/^([a-z-]+):.*## (.*)/\1 \2/p' Makefile | while read name what; do printf '  %-12s %s\n' "$$name" "$$what"; done
 
 setup: .venv/.ready ## make .venv from the lock file
 
@@ -24,7 +24,13 @@ book: .venv/.ready ## execute every notebook afresh and render the book (the def
 book-fast: .venv/.ready ## the same, executing only what changed
 	$(BIN)/python tools/build_book.py --started $(STARTED) --reuse
 
-test: .venv/.ready ## every check: lint, types, imports, tests, notebooks, book, site
+pdf: book-fast ## print the whole book to _build/coxeter-triangulations.pdf (needs a Chromium)
+	$(BIN)/python tools/make_pdf.py
+
+screenshots: book-fast ## a picture of every page, wide and phone, light and dark (needs a Chromium)
+	$(BIN)/python tools/screenshots.py
+
+test: .venv/.ready ## every check: lint, types, imports, tests, notebooks, book, site, browser
 	$(BIN)/python tools/run_checks.py --started $(STARTED)
 
 lint: .venv/.ready ## the quick checks only

@@ -11,6 +11,7 @@ from __future__ import annotations
 from enum import Enum
 from functools import lru_cache
 from itertools import pairwise
+from operator import attrgetter
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
@@ -179,7 +180,7 @@ def _candidates(nodes: int, affine: bool) -> tuple[tuple[str, nx.Graph], ...]:
     if not affine and "C" in letters:
         letters.remove("C")  # B_d and C_d share their diagram
     draw = affine_diagram if affine else coxeter_diagram
-    name = Type.affine.fget if affine else Type.finite.fget  # type: ignore[attr-defined]
+    name = attrgetter("affine" if affine else "finite")
     kinds = [Type(x, rank) for x in letters]
     return tuple((name(kind), draw(RootSystem(kind))) for kind in kinds)
 

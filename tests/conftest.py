@@ -1,4 +1,4 @@
-"""Settings of the property tests, and the ledger that several files of tests look at.
+"""Settings of the property tests, and the ledgers on which views are tried.
 
 ``pytest`` tries the same examples each time. ``pytest --hypothesis-profile=search`` looks for new ones, and
 for the smallest that fails.
@@ -10,8 +10,11 @@ import time
 import pytest
 from hypothesis import HealthCheck, Phase, settings
 from run_notebooks import ROOT
+from synthetic import GOOD
 
-from coxeter.pages import Ledger, judge_all
+from coxeter.ledger.running import run
+from coxeter.pages import Judged, Ledger, judge_all
+from coxeter.pages.views import Views
 
 COMMON = {"deadline": None, "suppress_health_check": [HealthCheck.too_slow], "database": None}
 
@@ -40,3 +43,14 @@ def ledger() -> Ledger:
         return judge_all(folder)
     finally:
         shutil.rmtree(lock, ignore_errors=True)
+
+
+@pytest.fixture(scope="session")
+def views(ledger: Ledger) -> Views:
+    return Views(ledger)
+
+
+@pytest.fixture
+def small() -> Views:
+    """A ledger made up for the tests."""
+    return Views(Ledger(tuple(Judged(x, run(x)) for x in GOOD)))

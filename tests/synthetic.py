@@ -12,7 +12,7 @@ from unittest.mock import patch
 
 from coxeter import ledger
 from coxeter.errors import InvalidInput
-from coxeter.ledger import recorded
+from coxeter.ledger import recorded, rooms
 from coxeter.ledger.claim import CLAIMS, Claim, agree, cited, fails, holds, repaired
 from coxeter.ledger.vocabulary import EVERY_D, FINITE, INSTANCES, Weight, up_to
 
@@ -91,7 +91,7 @@ def ledger_of(directory: Path, *claims: Claim) -> Iterator[Path]:
     """Let these be all claims, all recorded that can be judged; yields the file with the records."""
     file = directory / "recorded.json"
     with ExitStack() as stack:
-        stack.enter_context(patch.object(ledger, "ROOMS", (ROOM,)))
+        stack.enter_context(patch.object(rooms, "ROOMS", (ROOM,)))
         stack.enter_context(patch.object(recorded, "FILE", file))
         stack.enter_context(patch.dict(CLAIMS, {x.id: x for x in claims}, clear=True))
         stack.enter_context(patch.dict(sys.modules, {f"coxeter.ledger.{ROOM}": ModuleType(ROOM)}))

@@ -23,8 +23,14 @@ INDEX = f"""<!doctype html><html><head>
 NEXT = f"""<!doctype html><html><body><main>
 <h1>Next</h1><p id="part">{WORDS * 2}</p><a href="../index.html">back</a>
 </main></body></html>"""
+CHAPTER = f"""<!doctype html><html><body>
+<a href="../_sources/notebooks/one.ipynb" class="btn">.ipynb</a>
+<main><h1>One</h1><p>{WORDS * 2}</p></main>
+</body></html>"""
 FILES = {
-    "_toc.yml": "root: index\nparts:\n- chapters:\n  - file: pages/next\n",
+    "_toc.yml": "root: index\nparts:\n- chapters:\n  - file: pages/next\n  - file: notebooks/one\n",
+    "html/notebooks/one.html": CHAPTER,
+    "html/_sources/notebooks/one.ipynb": '{"cells": [{"cell_type": "markdown"}]}',
     "html/index.html": INDEX,
     "html/pages/next.html": NEXT,
     "html/_static/style.css": "@import 'more.css'; p { background: url(data:image/png;base64,) }",
@@ -49,7 +55,7 @@ def faults(site: check_site.Site) -> str:
 
 def test_a_good_site_has_no_faults(site: check_site.Site) -> None:
     assert faults(site) == ""
-    assert site.checked["pages of the table of contents"] == 2
+    assert site.checked["pages of the table of contents"] == 3
     assert all(site.checked.values())
 
 
@@ -131,6 +137,21 @@ def test_a_heading_alone_is_an_empty_page(site: check_site.Site) -> None:
     assert "pages/next.html: fewer than" in faults(site)
 
 
+@pytest.mark.parametrize(
+    ("name", "old", "new", "fault"),
+    [
+        ("notebooks/one.html", "one.ipynb", "other.ipynb", "no link to download one.ipynb"),
+        ("_sources/notebooks/one.ipynb", '[{"cell_type": "markdown"}]', "[]", "one.ipynb is no notebook"),
+    ],
+)
+def test_a_notebook_that_cannot_be_had_is_found(
+    site: check_site.Site, name: str, old: str, new: str, fault: str
+) -> None:
+    path = site.folder / name
+    path.write_text(path.read_text().replace(old, new))
+    assert fault in faults(site)
+
+
 @pytest.mark.parametrize("spoil", [False, True])
 def test_the_command_says_what_it_checked(site: check_site.Site, spoil: bool) -> None:
     if spoil:
@@ -138,5 +159,5 @@ def test_the_command_says_what_it_checked(site: check_site.Site, spoil: bool) ->
     command = [sys.executable, check_site.__file__, str(site.folder), "--toc", str(site.toc)]
     result = subprocess.run(command, capture_output=True, text=True)
     assert result.returncode == spoil
-    assert "2 pages of the table of contents" in result.stdout
+    assert "3 pages of the table of contents" in result.stdout
     assert ("FAULT pages/next.html" in result.stdout) == spoil

@@ -20,13 +20,25 @@ from coxeter.diagrams import affine_diagram
 from coxeter.diagrams import coxeter_diagram as finite_diagram
 from coxeter.figures import (
     Figure,
+    above,
+    angle_classes,
     beside,
     coxeter_diagram,
     cube_simplex,
     diagram_pair,
+    difference_not_a_vertex,
     family_diagram,
+    lemma_4_circles,
+    lemma_4_witness,
+    lemma_9_distances,
+    lemma_10_plane,
+    lemma_10_witness,
     monohedral_not_coxeter,
+    paper_figure,
+    proposition_1_witness,
+    protection_spheres,
     quality_curves,
+    sphere_not_empty,
 )
 from coxeter.figures import canvas as style
 from coxeter.figures import plane_triangulation as make_plane_triangulation
@@ -68,6 +80,27 @@ MAKERS = {
     "thickness": lambda: quality_curves("thickness", 9),
     "radius ratio": lambda: quality_curves("radius_ratio", 8),
     "few dimensions": lambda: quality_curves("radius_ratio", 2),
+    "inverse heights": lambda: coxeter_diagram("F~4", show="heights"),
+    "family with heights": lambda: diagram_pair("B~d", "heights"),
+    "angles of A2": lambda: angle_classes("A2"),
+    "angles of B2": lambda: angle_classes("B2"),
+    "angles of G2": lambda: angle_classes("G2"),
+    "Lemma 9": lemma_9_distances,
+    "Lemma 10": lemma_10_plane,
+    "witness for Lemma 10": lemma_10_witness,
+    "Lemma 4": lemma_4_circles,
+    "gap in Lemma 4": lambda: lemma_4_circles(4),
+    "not Delaunay neighbours": lambda: lemma_4_circles("5/2"),
+    "witness for Lemma 4": lemma_4_witness,
+    "witness for Proposition 1": proposition_1_witness,
+    "not empty": sphere_not_empty,
+    "not a vertex": difference_not_a_vertex,
+    "protection of A~2": lambda: protection_spheres("A~2"),
+    "protection of A~3": lambda: protection_spheres("A~3"),
+    "protection of G~2": lambda: protection_spheres("G~2"),
+    "protection of C~3": lambda: protection_spheres("C~3"),
+    "Figure 1": lambda: paper_figure(1),
+    "Figure 12": lambda: paper_figure(12),
 }
 
 
@@ -204,11 +237,25 @@ def test_figures_in_a_row():
         beside()
 
 
+def test_rows_of_figures():
+    rows = beside(coxeter_diagram("A2"), coxeter_diagram("B3")), coxeter_diagram("G2")
+    column = above(*rows)
+    assert [part.data.name for part in column.parts] == ["A2", "B3", "G2"]
+    assert column.data[0][1].name == "B3"
+    assert column._repr_html_() == "\n".join(row._repr_html_() for row in rows)
+    drawn, (first, second) = column.draw(), [row.draw() for row in rows]
+    assert drawn.height > first.height + second.height
+    assert drawn.width == max(first.width, second.width)
+    with pytest.raises(InvalidInput, match="at least one"):
+        above()
+
+
 def test_labels_are_read():
     (letter, *rest) = runs(r"$\tilde{B}_{3}$, marks")
     assert (*letter[:3], letter.accent) == ("B", True, True, "~")
     assert [(run.letters, run.level, run.math) for run in rest] == [("3", -1, True), (", marks", 0, False)]
     assert [run.letters for run in runs(r"$s_1^{\vee}$")] == ["s", "1", "∨"]
+    assert "".join(run.letters for run in runs(r"$\sigma' = 2\sqrt{13}$")) == "σ′ = 2√13"
 
 
 def test_signs_of_xml_are_escaped():
@@ -274,6 +321,26 @@ def test_diagrams_show_names_or_marks(name):
     assert sorted(marks) == sorted([*map(str, t.marks), *labels, *symbol])
     assert sorted(names) == sorted([*(f"τ{k}" for k in range(t.dimension + 1)), *labels, *symbol])
     assert "s1" in _texts(coxeter_diagram(name.replace("~", "")))
+
+
+@pytest.mark.parametrize("name", AFFINE)
+def test_ratios_at_the_nodes_are_those_of_the_heights(name):
+    squares = triangulation(name).simplex.squared_heights
+    figure = coxeter_diagram(name, "heights")
+    ratios = {node.number: node.ratio for node in figure.data.nodes}
+    assert ratios == {k: coxeter.sqrt(squares[0] / x) for k, x in enumerate(squares)}
+    written = {str(x).replace("*", "").replace("sqrt(", "√").replace(")", "") for x in ratios.values()}
+    assert written <= set(_texts(figure))
+
+
+def test_inverse_heights_are_marks_only_where_all_roots_have_one_length():
+    assert "Inverse heights: 1 at 0, 1; √2 at 4; 2 at 2, 3." in coxeter_diagram("B~4", "heights").alt
+    assert sorted(_texts(coxeter_diagram("C~2", "heights")))[-1] == "√2"
+    ratios = [node.ratio for node in coxeter_diagram("E~8", "heights").data.nodes]
+    assert ratios == list(triangulation("E~8").marks)
+    assert diagram_pair("F~4", "heights").parts[0].title.endswith("inverse heights")
+    with pytest.raises(InvalidInput, match="no simplex, hence no heights"):
+        coxeter_diagram("B4", show="heights")
 
 
 @pytest.mark.parametrize("name", ["B~5", "E~8", "A~2", "C~3"])

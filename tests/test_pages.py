@@ -11,6 +11,7 @@ from contextlib import nullcontext
 from pathlib import Path
 from unittest.mock import patch
 
+import book_code
 import book_extension
 import networkx as nx
 import pytest
@@ -35,17 +36,6 @@ from coxeter.pages.views import Views
 from coxeter.tables import table
 
 SITE = Site("")
-
-
-@pytest.fixture(scope="session")
-def views(ledger: Ledger) -> Views:
-    return Views(ledger)
-
-
-@pytest.fixture
-def small() -> Views:
-    """A ledger made up for the tests."""
-    return Views(Ledger(tuple(Judged(x, run(x)) for x in GOOD)))
 
 
 def soup(text: str) -> BeautifulSoup:
@@ -364,11 +354,14 @@ def build(tmp_path: Path, small: Views, text: str, builder: str = "html") -> tup
         "html_theme": "basic",
     }
     folders = (source, None, tmp_path / "out", tmp_path / "trees")
-    with patch.object(book_extension, "views_in", lambda _: small), patch_docutils(), docutils_namespace():
+    with (
+        patch.object(book_extension, "views_in", lambda _: small),
+        patch.object(book_code, "pages_of_code", lambda _: []),
+        patch_docutils(),
+        docutils_namespace(),
+    ):
         app = Sphinx(*map(lambda x: x and str(x), folders), builder, settings, None, warnings)  # noqa: C417
-        app.connect("config-inited", lambda *_: None)
-        with patch.object(book_extension, "pages_of_checks", lambda _: []):
-            app.build()
+        app.build()
     suffix = {"html": "html", "text": "txt"}[builder]
     return (tmp_path / "out" / "deep" / f"page.{suffix}").read_text(), warnings.getvalue()
 

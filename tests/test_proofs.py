@@ -92,6 +92,24 @@ def test_a_wrong_vertex_and_wrong_centres_are_refuted():
         rate("A", "thickness", Surd(3))
 
 
+def test_the_lengths_of_all_roots_are_among_the_steps():
+    """The highest root is a dominant root that is as long as any: this needs them."""
+    names = [step.formula for step in prove("vertices", "B").steps]
+    assert r"\|s_{d}\|^2 = 1" in names
+    assert r"\langle\tilde s, \tilde s\rangle = 2" in names
+
+
+def test_both_kinds_of_short_coroots_are_steps():
+    names = " ".join(step.formula for step in prove("proposition_9").steps)
+    assert all(f"e_j {sign} e_k, e_j {sign} e_k" in names for sign in "+-")
+
+
+def test_the_replay_of_the_longest_edge_sees_no_smaller_dimension():
+    steps = [x for x in prove("quantity", "B", "longest_edge").steps if x.words.startswith("the edge from")]
+    assert len(steps) > 3
+    assert all(step.replay(3) == 0 < step.replay(6) for step in steps)
+
+
 def test_a_replay_notices_a_core_that_disagrees():
     step = identity("d", "d", "d", "d", "2 <= d", lambda d: Surd(d + (d == 7)))
     assert step.replay(6) == 5

@@ -5,17 +5,16 @@
 * Roles: ``{badge}`thm-8.delaunay` `` is the verdict on a claim, on several, or on all of an item;
   ``{ledger}`checked` `` is a number.
 * Directives: ``{verdict}`` is a box with a verdict and what to use instead; ``{view}`` is any other view.
-* Every check's source has a page; the files beside the pages are written at the end.
+* The files beside the pages are written at the end.
+
+Titles, source, cards, figures and what is mended of the theme have extensions of their own: `book_titles`,
+`book_code`, `book_cards`, `book_figures`, `book_theme`.
 
 An unknown claim, number or view is a warning, and a warning fails the build.
 """
 
-import ast
-import html
 import re
-from collections.abc import Iterator
 from functools import lru_cache
-from importlib import import_module
 from importlib.util import find_spec
 from pathlib import Path
 from typing import Any
@@ -38,20 +37,21 @@ PLOTLY = "plotly.min.js"
 ASSETS = {
     "lg-controls": ("ledger.js",),
     "lg-errata": ("ledger.js",),
-    "lg-graph": ("ledger.js",),
+    "lg-graph": ("graph.js",),
     "lg-notes": ("ledger.js",),
     "cx-tilings": ("landing.css",),
+    "<table": ("tables.js",),
     "cx-scene": (PLOTLY, "space.js", "space.css"),
     "cx-explorer": (PLOTLY, "explorer.js", "explorer.css"),
+    "cx-chooser": ("choosing.js", "explorer.css"),
 }
-"""Classes of elements, and the scripts and styles of the pages that have such elements."""
+"""Classes of elements, or elements, and the scripts and styles of the pages that have them."""
 
 log = logging.getLogger(__name__)
 
 
 def setup(app: Sphinx) -> dict[str, Any]:
     app.config.mathjax_path = MATHJAX
-    app.set_html_assets_policy("always")  # every side bar has formulas, in the chapters' titles
     app.add_css_file("ledger.css")
     app.add_role("badge", BadgeRole())
     app.add_role("ledger", NumberRole())
@@ -71,8 +71,9 @@ def setup(app: Sphinx) -> dict[str, Any]:
     app.connect("html-page-context", add_assets)
     app.connect("html-page-context", mend_back_links)
     app.connect("html-collect-pages", forget_modules_without_source, priority=1)
-    app.connect("html-collect-pages", pages_of_checks)
     app.connect("build-finished", write_files)
+    for part in ("book_titles", "book_code", "book_cards", "book_figures", "book_theme"):
+        app.setup_extension(part)
     return {"parallel_read_safe": True, "parallel_write_safe": True}
 
 
@@ -240,36 +241,6 @@ def add_assets(app: Sphinx, pagename: str, template: str, context: dict[str, Any
             app.add_css_file(name)
         else:
             app.add_js_file(name, loading_method="defer")
-
-
-def pages_of_checks(app: Sphinx) -> Iterator[tuple[str, dict[str, Any], str]]:
-    """The source of every check, a page for each module, with a place for each function."""
-    if app.builder.format != "html":
-        return
-    codes = {x.claim.code for x in views(app.env).ledger}
-    for module in sorted({code.rpartition(".")[0] for code in codes}):
-        names = {code.rpartition(".")[2] for code in codes if code.rpartition(".")[0] == module}
-        body = f"<h1>Source of {html.escape(module)}</h1>{source(app, module, names)}"
-        yield f"checks/{module}", {"title": module, "body": body}, "page.html"
-
-
-def source(app: Sphinx, name: str, functions: set[str]) -> str:
-    """A module's source, highlighted, with the functions marked."""
-    code = Path(str(import_module(name).__file__)).read_text(encoding="utf-8")
-    places = {function: first_line(code, function) for function in functions}
-    lines = app.builder.highlighter.highlight_block(code, "python").split("\n")  # type: ignore[attr-defined]
-    for function, line in places.items():
-        lines[line] = f'<span class="lg-target" id="{function}"></span>{lines[line]}'
-    return "\n".join(lines)
-
-
-def first_line(code: str, name: str) -> int:
-    """Where a function begins, at any depth; if it is made in another way, where its name stands first."""
-    for node in ast.walk(ast.parse(code)):
-        if isinstance(node, ast.FunctionDef) and node.name == name:
-            return min([node.lineno, *(x.lineno for x in node.decorator_list)]) - 1
-    found = re.search(rf"\b{re.escape(name)}\b", code)
-    return code.count("\n", 0, found.start()) if found else 0
 
 
 def write_files(app: Sphinx, error: Exception | None) -> None:

@@ -1,6 +1,7 @@
 """Check a rendered book: its pages, its links, and that it asks nothing of other hosts."""
 
 import argparse
+import json
 import re
 import sys
 from collections import Counter
@@ -14,6 +15,7 @@ import yaml
 from bs4 import BeautifulSoup, Tag
 
 ENOUGH_WORDS = 15
+NOTEBOOKS = "notebooks/"
 LOADING_RELS = {"stylesheet", "preload", "modulepreload", "prefetch", "preconnect"} | {
     "dns-prefetch",
     "icon",
@@ -75,6 +77,7 @@ class Site:
 
     def check(self) -> None:
         self.check_contents()
+        self.check_downloads()
         for page in self.pages.values():
             self.check_links(page)
             self.check_requests(page)
@@ -91,6 +94,21 @@ class Site:
                 self.faults.append(f"{name}.html: in the table of contents, but not built")
             elif len(plain_words(self.pages[path].body)) < ENOUGH_WORDS:
                 self.fault(path, f"fewer than {ENOUGH_WORDS} words of text")
+
+    def check_downloads(self) -> None:
+        """Every chapter that is a notebook gives it away, whole: see its button *download*."""
+        for name in toc_files(yaml.safe_load(self.toc.read_text(encoding="utf-8"))):
+            page = self.pages.get(self.folder.resolve() / f"{name}.html")
+            if page is None or not name.startswith(NOTEBOOKS):
+                continue
+            self.checked["notebooks to download"] += 1
+            file = f"{name.rpartition('/')[2]}.ipynb"
+            link = page.soup.find("a", href=re.compile(rf"(?:^|/){re.escape(file)}$"))
+            path = (page.path.parent / unquote(str(link["href"]))).resolve() if link else None
+            if path is None:
+                self.fault(page.path, f"no link to download {file}")
+            elif not (path.is_file() and json.loads(path.read_text(encoding="utf-8")).get("cells")):
+                self.fault(page.path, f"what is downloaded as {file} is no notebook")
 
     def check_links(self, page: Page) -> None:
         """Every local address leads to a file, and its fragment to a place in it."""

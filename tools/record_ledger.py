@@ -12,16 +12,17 @@ from pathlib import Path
 
 from coxeter import ledger
 from coxeter.errors import CoxeterError
+from coxeter.ledger import rooms
 from coxeter.ledger.claim import CLAIMS
 from coxeter.ledger.pools import cpus, process_pool
 from coxeter.ledger.recorded import FILE, Record, differences, record, recorded, write
 from coxeter.ledger.reporting import score
 
 
-def rooms() -> dict[str, str]:
+def where_found() -> dict[str, str]:
     """The room in which each claim is found: import it, and the claim is there."""
     found: dict[str, str] = {}
-    for room in ledger.ROOMS:
+    for room in rooms.ROOMS:
         import_module(f"{ledger.__name__}.{room}")
         for id in CLAIMS:
             found.setdefault(id, room)
@@ -50,7 +51,7 @@ def main(arguments: Sequence[str] | None = None) -> int:
     parser.add_argument("--file", type=Path, default=FILE, help="where to (default: the recorded ledger)")
     options = parser.parse_args(arguments)
 
-    where, claims = rooms(), ledger.all_claims()
+    where, claims = where_found(), ledger.all_claims()
     if options.jobs > 1:
         with process_pool(options.jobs) as pool:
             results = ledger.verify(executor=pool)

@@ -21,6 +21,7 @@ CHECKS = {
     " --nbval-sanitize-with tools/nbval_sanitize.cfg",
     "book": "python tools/build_book.py",
     "site": "python tools/check_site.py _build/html",
+    "browser": "python tools/browse_site.py _build/html --factor 2",  # a shared machine is slower
 }
 
 

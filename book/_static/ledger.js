@@ -1,6 +1,5 @@
-/* The pages made from the ledger: formulas are set when they come into view, claims can be searched, a link to
-   something folded opens it, and the graph shows the arrows of one item. Without this script everything is there
-   all the same. */
+/* The pages made from the ledger: formulas are set when they come into view, claims can be searched, filtered and
+   sorted, a link to something folded opens it. Without this script everything is there all the same. */
 (() => {
   "use strict";
   const all = (selector, root = document) => [...root.querySelectorAll(selector)];
@@ -24,23 +23,41 @@
   };
   addEventListener("load", () => window.MathJax?.startup?.promise.then(watch));
 
-  /* Search. */
+  /* Search, filter, sort. What is asked stands in the address, after the #: such a view can be linked. */
   const form = document.querySelector(".lg-controls");
+  const KINDS = ["verdict", "strength", "weight", "section", "family"];
+  const sections = new Map(groups.flatMap((group) => all(".lg-claim", group).map((row) => [row, group.querySelector(".lg-group-name").textContent])));
+  const homes = groups.map((group) => [group, [...group.children].slice(1)]);
+  const flat = Object.assign(document.createElement("div"), { className: "lg-sorted", hidden: true });
   const texts = new Map();
   const text = (row) => texts.get(row) ?? texts.set(row, row.textContent.toLowerCase().replace(/\s+/g, " ")).get(row);
+  const has = {
+    section: (row, value) => sections.get(row) === value,
+    family: (row, value) => row.dataset.family?.split(" ").includes(value),
+  };
+  let order = "";
+  const arrange = (kind) => {
+    if (kind === order) return;
+    order = kind;
+    flat.hidden = !kind;
+    if (!kind) return homes.forEach(([group, inside]) => group.append(...inside));
+    const ranks = new Map([...form.elements[kind].options].map((option, n) => [option.value, n]));
+    flat.append(...[...rows].sort((a, b) => ranks.get(a.dataset[kind]) - ranks.get(b.dataset[kind])));
+  };
   const filter = () => {
     const asked = new FormData(form);
-    const phrase = asked.get("text").toLowerCase().trim().replace(/\s+/g, " ");
+    const phrase = asked.get("q").toLowerCase().trim().replace(/\s+/g, " ");
     const whole = phrase && rows.some((row) => text(row).includes(phrase));
     const words = whole ? [phrase] : phrase.split(" ").filter(Boolean);
-    const kinds = ["verdict", "strength", "weight"].filter((kind) => asked.get(kind));
+    const kinds = KINDS.filter((kind) => asked.get(kind));
+    const fits = (row, kind) => (has[kind] ?? ((x, value) => x.dataset[kind] === value))(row, asked.get(kind));
     const active = words.length + kinds.length > 0;
     let shown = 0;
     rows.forEach((row) => {
-      const fits = kinds.every((kind) => row.dataset[kind] === asked.get(kind)) && words.every((word) => text(row).includes(word));
-      row.hidden = !fits;
-      shown += fits;
+      row.hidden = !(kinds.every((kind) => fits(row, kind)) && words.every((word) => text(row).includes(word)));
+      shown += !row.hidden;
     });
+    arrange(asked.get("sort"));
     groups.forEach((group) => {
       const any = group.querySelector(".lg-claim:not([hidden])");
       group.hidden = !any;
@@ -53,23 +70,32 @@
     });
     form.querySelector("output").textContent = active ? `${shown} of ${rows.length} claims` : `${rows.length} claims`;
   };
-  if (form) {
+  const tell = () => {
+    const asked = new URLSearchParams([...new FormData(form)].filter(([, value]) => value));
+    history.replaceState(null, "", asked.size ? `#${asked}` : location.pathname + location.search);
+  };
+  const ask = (asked = location.hash.slice(1)) => {
+    const values = new URLSearchParams(asked);
+    [...form.elements].filter((field) => field.name).forEach((field) => { field.value = values.get(field.name) ?? ""; });
+    filter();
+  };
+  if (form && rows.length) {
     let timer;
-    const later = () => { clearTimeout(timer); timer = setTimeout(filter, 150); };
+    const later = () => { clearTimeout(timer); timer = setTimeout(() => { filter(); tell(); }, 150); };
+    form.after(flat);
     form.hidden = false;
     form.addEventListener("input", later);
     form.addEventListener("reset", later);
     form.addEventListener("submit", (event) => event.preventDefault());
-    filter();
+    ask();
   }
 
   /* A link to something folded opens it. */
   const reveal = () => {
+    if (form && location.hash.includes("=")) return ask();
     const target = document.getElementById(decodeURIComponent(location.hash.slice(1)));
     if (!target) return;
-    if (form && target.closest(".lg-group")) {
-      if (target.hidden) { form.reset(); filter(); }
-    }
+    if (target.hidden && rows.includes(target)) ask("");
     for (let box = target; box; box = box.parentElement) if (box.tagName === "DETAILS") box.open = true;
     const inside = target.matches("tbody[id^=erratum]") && target.querySelector("details");
     if (inside) inside.open = true;
@@ -77,28 +103,4 @@
   };
   addEventListener("hashchange", reveal);
   if (location.hash) reveal();
-
-  /* The graph: an item that has the pointer or the focus shows its own arrows. */
-  const graph = document.querySelector(".lg-graph");
-  if (graph) {
-    const edges = all(".lg-edge", graph).map((edge) => [edge, `${edge.dataset.from} ${edge.dataset.to}`.split(" ")]);
-    const nodes = all(".lg-node", graph);
-    const show = (node) => {
-      const near = new Set([node.dataset.node]);
-      edges.forEach(([edge, ends]) => {
-        const own = ends.includes(node.dataset.node);
-        edge.classList.toggle("lg-near", own);
-        if (own) ends.forEach((end) => near.add(end));
-      });
-      nodes.forEach((other) => other.classList.toggle("lg-near", near.has(other.dataset.node)));
-      graph.classList.add("lg-chosen");
-    };
-    const forget = () => graph.classList.remove("lg-chosen");
-    nodes.forEach((node) => {
-      node.addEventListener("pointerenter", () => show(node));
-      node.addEventListener("focus", () => show(node));
-      node.addEventListener("pointerleave", forget);
-      node.addEventListener("blur", forget);
-    });
-  }
 })();

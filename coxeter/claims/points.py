@@ -54,6 +54,7 @@ def vertex_numbers(point: PrintedPoint, d: int) -> range:
     return numbers(index, index, d)
 
 
+@lru_cache(maxsize=4096)
 def exact_point(family: str, name: str, d: int, k: int) -> Point:
     """The vertex or centre as the core has it, with the signs that the paper uses."""
     simplex = simplex_of(family, d)
@@ -74,7 +75,8 @@ def _printed_point(point: PrintedPoint, d: int, k: int) -> Point | None:
     return x
 
 
-def _agrees(point: PrintedPoint, family: str, d: int, k: int) -> bool:
+def agrees(point: PrintedPoint, family: str, d: int, k: int) -> bool:
+    """Whether a printed point is that of the family, for one d and k."""
     return _printed_point(point, d, k) == exact_point(family, point.name, d, k)
 
 
@@ -87,7 +89,7 @@ def failures(point: PrintedPoint, family: str) -> tuple[tuple[int, int], ...]:
 def _failures(
     point: PrintedPoint, family: str, pairs: tuple[tuple[int, int], ...]
 ) -> tuple[tuple[int, int], ...]:
-    return tuple((d, k) for d, k in pairs if not _agrees(point, family, d, k))
+    return tuple((d, k) for d, k in pairs if not agrees(point, family, d, k))
 
 
 def _pairs(point: PrintedPoint, family: str) -> Iterator[tuple[int, int]]:

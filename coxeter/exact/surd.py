@@ -10,23 +10,21 @@ from __future__ import annotations
 
 import math
 import numbers
-from collections.abc import Callable
 from fractions import Fraction
 from functools import total_ordering
-from typing import TYPE_CHECKING, Any, TypeVar, Union
+from typing import TYPE_CHECKING, Any, Union
 
 import flint
 
 from ..errors import InvalidInput
 from . import sums
 from .rationals import rational
+from .rounding import decimal, enclosure, rounded, scientific
 from .sums import ONE, Terms, collect, negative, plus, precisions, times
 from .writing import LATEX, PLAIN, write
 
 if TYPE_CHECKING:
     import sympy
-
-_T = TypeVar("_T", int, float)
 
 Exact = Union[int, Fraction, "Surd"]
 
@@ -224,7 +222,7 @@ class Surd:
             return False
         for precision in precisions():
             with flint.ctx.workprec(precision):
-                difference = self._enclosure() - y._enclosure()
+                difference = enclosure(self) - enclosure(y)
                 if difference < 0:
                     return True
                 if difference > 0:
@@ -239,30 +237,8 @@ class Surd:
 
     # -- decimals: rounded once, at the edge ------------------------------------------------------
 
-    def _enclosure(self) -> flint.arb:
-        ball = sums.ball(self.num) / sums.ball(self.den)
-        return ball if self.index == 1 else ball.root(self.index)
-
-    def _rounded(self, rounding: Callable[[Fraction], _T]) -> _T:
-        """A monotone rounding of the number, from balls refined until both ends round alike."""
-        if self.is_rational:
-            return rounding(self.as_fraction())
-        for precision in precisions():  # an irrational number is no tie, so this ends
-            with flint.ctx.workprec(precision):
-                ball = self._enclosure()
-                if not ball.is_finite():
-                    continue  # the denominator is not yet told from zero
-                low, high = (rounding(_fraction(end)) for end in (ball.lower(), ball.upper()))
-                if low == high:
-                    return low
-        raise AssertionError("unreachable")
-
-    def _scaled_integer(self, scale: Fraction) -> int:
-        """``self * scale`` rounded to the nearest integer, ties (only rationals have them) to even."""
-        return self._rounded(lambda x: round(x * scale))
-
     def __float__(self) -> float:
-        return self._rounded(float)
+        return rounded(self, float)
 
     def decimal(self, digits: int = 3) -> str:
         """The correctly rounded decimal with that many digits after the point.
@@ -270,12 +246,7 @@ class Surd:
         >>> sqrt(2).decimal(5), Surd("2/3").decimal()
         ('1.41421', '0.667')
         """
-        if digits < 0:
-            raise InvalidInput(f"{digits} digits cannot be shown: give a number >= 0")
-        n = self._scaled_integer(Fraction(10**digits))
-        text = str(flint.fmpz(abs(n))).rjust(digits + 1, "0")
-        whole, part = (text[:-digits], text[-digits:]) if digits else (text, "")
-        return ("-" if n < 0 else "") + whole + ("." + part if part else "")
+        return decimal(self, digits)
 
     def scientific(self, digits: int = 17) -> str:
         """The value in scientific notation, correctly rounded: for numbers beyond float's range.
@@ -283,22 +254,7 @@ class Surd:
         >>> (sqrt(2) / 10**400).scientific(6)
         '1.41421e-400'
         """
-        if digits < 1:
-            raise InvalidInput(f"{digits} digits cannot be shown: give a number >= 1")
-        if not self:
-            return "0"
-        for precision in precisions():
-            with flint.ctx.workprec(precision):
-                logarithm = abs(self)._enclosure().log() / flint.arb(10).log()
-                if logarithm.is_finite():
-                    guess = math.floor(float(logarithm.mid()))
-                    break
-        for e in (guess - 1, guess, guess + 1):  # the exponent is the least that leaves enough digits
-            n = abs(self)._scaled_integer(Fraction(10) ** (digits - 1 - e))
-            if n < 10**digits:
-                first, rest = str(flint.fmpz(n))[0], str(flint.fmpz(n))[1:]
-                return f"{'-' if self.sign() < 0 else ''}{first}{'.' + rest if rest else ''}e{e:+03d}"
-        raise AssertionError("unreachable")
+        return scientific(self, digits)
 
     # -- printing -------------------------------------------------------------------------------
 
@@ -358,9 +314,3 @@ def _power(x: Surd, k: int) -> Surd:
 
 def _rebuild(num: Terms, den: Terms, index: int) -> Surd:
     return Surd._make(num, den, index)
-
-
-def _fraction(ball: flint.arb) -> Fraction:
-    """The exact value of a ball of radius zero."""
-    mantissa, exponent = (int(part) for part in ball.mid().man_exp())
-    return Fraction(mantissa) * Fraction(2) ** exponent

@@ -217,3 +217,13 @@ def side_by_side(canvases: Sequence[Canvas], gap: float = 28.0) -> Canvas:
         shapes += [shape.moved(x, 0) for shape in canvas.shapes]
         x += canvas.width + gap
     return Canvas(shapes, x - gap, max(c.height for c in canvases))
+
+
+def one_above_another(canvases: Sequence[Canvas], gap: float = 30.0) -> Canvas:
+    """One canvas with several others in a column, from the top, their middles on one line."""
+    shapes: list[Shape] = []
+    breadth, y = max(c.width for c in canvases), 0.0
+    for canvas in canvases:
+        shapes += [shape.moved((breadth - canvas.width) / 2, y) for shape in canvas.shapes]
+        y += canvas.height + gap
+    return Canvas(shapes, breadth, y - gap)

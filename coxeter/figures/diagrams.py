@@ -12,11 +12,13 @@ from typing import TYPE_CHECKING
 from ..diagrams import affine_diagram
 from ..diagrams import coxeter_diagram as finite_diagram
 from ..errors import InvalidInput, InvalidType
+from ..exact import Surd
 from ..names import EXCEPTIONAL, MINIMAL_RANK, Type, parse_root_system, parse_triangulation
 from ..roots import RootSystem
 from .canvas import BOLD, INK, LABEL, SMALL, Canvas, Pen, Point
 from .figure import Figure, beside
-from .layout import LONGEST, Diagram, Edge, Index, Show, lay_out
+from .layout import LONGEST, Diagram, Edge, Index, Node, Show, lay_out
+from .written import formula, words
 
 if TYPE_CHECKING:
     import networkx as nx
@@ -33,20 +35,23 @@ def coxeter_diagram(name: object, show: Show = "names") -> Figure[Diagram]:
         A root system, as ``"B3"``, or a triangulation, as ``"B~3"``.
     show
         What stands at the nodes: ``"names"``, s_k for the simple roots and, in an affine diagram,
-        tau_k for the facets of the fundamental simplex; or ``"marks"``, the coefficients of the
-        highest root, with 1 for node 0.
+        tau_k for the facets of the fundamental simplex; ``"marks"``, the coefficients of the
+        highest root, with 1 for node 0; or, in an affine diagram, ``"heights"``, the ratios of the
+        inverse heights of the fundamental simplex, which are marks times lengths of roots.
 
     Raises
     ------
     InvalidType
         If there is no such root system or triangulation.
+    InvalidInput
+        If something else is to be shown, or the heights in the diagram of a root system.
 
     Examples
     --------
     >>> coxeter_diagram("B~4", show="marks")
     Coxeter diagram of B~4: line 2–3–4, and 0–2, 1–2; label 4 on 3–4. Marks: 1 at 0, 1; 2 at 2, 3, 4.
     """
-    return _figure(lay_out(*_graph(name), _check(show)))
+    return _figure(_laid_out(name, show))
 
 
 def family_diagram(family: str, show: Show = "names", affine: bool = True) -> Figure[Diagram]:
@@ -72,7 +77,7 @@ Marks: 1 at 0, d; 2 at 1, 2, …, d-2, d-1.
     if family not in MINIMAL_RANK:
         raise InvalidType(f"{family!r} is no family; there are A, B, C, D, E6, E7, E8, F4, G2")
     d = LONGEST + 1  # any d from here on gives the same drawing
-    sample = lay_out(*_graph(f"{family}~{d}" if affine else f"{family}{d}"), _check(show))
+    sample = _laid_out(f"{family}~{d}" if affine else f"{family}{d}", show)
 
     def number(k: Index) -> Index:
         if isinstance(k, str) or k < d / 2:
@@ -85,15 +90,16 @@ Marks: 1 at 0, d; 2 at 1, 2, …, d-2, d-1.
     return _figure(Diagram(name, affine, nodes, edges, tuple(map(number, sample.line)), show))
 
 
-def diagram_pair(name: object) -> Figure[tuple[Diagram, ...]]:
-    """A diagram twice, as in Figures 4 to 11: with marks at the left, with facet names at the right.
-
-    The marks are proportional to the inverse heights of the fundamental simplex.
+def diagram_pair(name: object, left: Show = "marks") -> Figure[tuple[Diagram, ...]]:
+    """A diagram twice, as in Figures 4 to 11: with numbers at the left, with facet names at the right.
 
     Parameters
     ----------
     name
         As for `coxeter_diagram`, or a family, as ``"B~d"``.
+    left
+        ``"marks"``, or ``"heights"`` for the ratios of the inverse heights, which the captions of the
+        paper announce. Where all roots have one length the two are the same.
 
     Examples
     --------
@@ -101,26 +107,30 @@ def diagram_pair(name: object) -> Figure[tuple[Diagram, ...]]:
     Coxeter diagram of G~2, twice: line 1–2–0; label 6 on 1–2. Left, marks: 1 at 0; 2 at 2; 3 at 1. \
 Right, facets: τ_0 to τ_2.
     """
-    text = str(getattr(name, "name", name))
+    text, shown = str(getattr(name, "name", name)), (left, _NAMES)
     if text.endswith("d"):
-        figures = [family_diagram(text[0], show, affine="~" in text) for show in _SHOWN]
+        figures = [family_diagram(text[0], show, affine="~" in text) for show in shown]
     else:
-        figures = [coxeter_diagram(name, show) for show in _SHOWN]
+        figures = [coxeter_diagram(name, show) for show in shown]
     data = figures[0].data
     parts = [_figure(figure.data, caption=True) for figure in figures]
     title = f"Coxeter diagram of {data.name}, twice"
-    words = [f"{title}: {_structure(data)}."]
-    words += [f"{side}, {_at_nodes(part.data)}." for side, part in zip(("Left", "Right"), parts, strict=True)]
-    return beside(*parts, title=title, alt=" ".join(words))
+    alt = [f"{title}: {_structure(data)}."]
+    alt += [f"{side}, {_at_nodes(part.data)}." for side, part in zip(("Left", "Right"), parts, strict=True)]
+    return beside(*parts, title=title, alt=" ".join(alt))
 
 
-_SHOWN: tuple[Show, Show] = ("marks", "names")
+_NAMES: Show = "names"
+_SHOWN: tuple[Show, ...] = ("names", "marks", "heights")
 
 
-def _check(show: Show) -> Show:
+def _laid_out(name: object, show: Show) -> Diagram:
     if show not in _SHOWN:
-        raise InvalidInput(f"show={show!r}: a diagram shows 'names' or 'marks'")
-    return show
+        raise InvalidInput(f"show={show!r}: a diagram shows 'names' or 'marks', an affine one also 'heights'")
+    kind, affine, graph = _graph(name)
+    if show == "heights" and not affine:
+        raise InvalidInput(f"{kind.finite} has no simplex, hence no heights: give a triangulation, as 'B~3'")
+    return lay_out(kind, affine, graph, show)
 
 
 def _graph(name: object) -> tuple[Type, bool, nx.Graph]:
@@ -138,14 +148,19 @@ def _graph(name: object) -> tuple[Type, bool, nx.Graph]:
 
 def _figure(data: Diagram, caption: bool = False) -> Figure[Diagram]:
     title = f"Coxeter diagram of {data.name}"
-    words = f"{title}: {_structure(data)}. {_at_nodes(data).capitalize()}."
+    alt = f"{title}: {_structure(data)}. {_at_nodes(data).capitalize()}."
     if caption:
         title += f", {_shown(data)}"
-    return Figure(title, words, data, lambda: _draw(data, caption))
+    return Figure(title, alt, data, lambda: _draw(data, caption))
 
 
 def _shown(data: Diagram) -> str:
-    return "marks" if data.show == "marks" else "facets" if data.affine else "simple roots"
+    numbers = {"marks": "marks", "heights": "inverse heights"}
+    return numbers.get(data.show, "facets" if data.affine else "simple roots")
+
+
+def _number(node: Node, data: Diagram) -> int | Surd:
+    return node.mark if data.show == "marks" or node.ratio is None else node.ratio
 
 
 def _word(number: Index) -> str:
@@ -171,13 +186,13 @@ def _at_nodes(data: Diagram) -> str:
         first, last = (f"{sign}_{data.nodes[i].number}" for i in (0, -1))
         return f"{_shown(data)}: {first} to {last}" if first != last else f"{_shown(data)}: {first}"
     end = next((e.second for e in data.edges if e.dots), None)
-    by_mark: dict[int, list[str]] = {}
+    by_value: dict[int | Surd, list[str]] = {}
     for node in data.nodes:
-        numbers = by_mark.setdefault(node.mark, [])
+        numbers = by_value.setdefault(_number(node, data), [])
         numbers += ["…"] if node.number == end else []
         numbers.append(str(node.number))
     return f"{_shown(data)}: " + "; ".join(
-        f"{mark} at {', '.join(by_mark[mark])}" for mark in sorted(by_mark)
+        f"{words(value)} at {', '.join(by_value[value])}" for value in sorted(by_value)
     )
 
 
@@ -190,7 +205,7 @@ def _draw(data: Diagram, caption: bool) -> Canvas:
     for node in data.nodes:
         canvas.disc(at[node.number], _RADIUS, INK if node.number == 0 else None, Pen(width=1.8))
         sign = "\\tau" if data.affine else "s"
-        text = f"${node.mark}$" if data.show == "marks" else f"${sign}_{{{node.number}}}$"
+        text = f"${sign}_{{{node.number}}}$" if data.show == "names" else f"${formula(_number(node, data))}$"
         (x, y), (dx, dy, anchor) = at[node.number], _SIDES[node.side]
         canvas.label((x + dx, y + dy), text, LABEL, anchor)
     left, _, right, bottom = canvas.box

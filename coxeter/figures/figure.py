@@ -10,7 +10,7 @@ from pathlib import Path
 from typing import Generic, TypeVar
 
 from ..errors import InvalidInput
-from .canvas import Canvas, side_by_side
+from .canvas import Canvas, one_above_another, side_by_side
 from .svg import write_svg
 
 Data = TypeVar("Data", covariant=True)
@@ -35,6 +35,8 @@ class Figure(Generic[Data]):
     parts
         The figures in a row that make up this one, if it is a row. A page that is too narrow for
         the row shows them one below the other.
+    rows
+        The rows that make up this one, if it has several.
     """
 
     title: str
@@ -42,16 +44,23 @@ class Figure(Generic[Data]):
     data: Data
     draw: Callable[[], Canvas] = field(compare=False)
     parts: tuple[Figure[object], ...] = ()
+    rows: tuple[Figure[object], ...] = ()
 
     @cached_property
     def svg(self) -> str:
         """The figure as an SVG element, in the colour of the text around it, on no background."""
-        return write_svg(self.draw(), self.title, self.alt, fluid=True)
+        return write_svg(self._canvas, self.title, self.alt, fluid=True)
+
+    @cached_property
+    def _canvas(self) -> Canvas:
+        return self.draw()
 
     def __repr__(self) -> str:
         return self.alt
 
     def _repr_html_(self) -> str:
+        if self.rows:
+            return "\n".join(row._repr_html_() for row in self.rows)
         drawings = "\n".join(part.svg for part in self.parts or (self,))
         return f'<figure style="{_ROW}">\n{drawings}\n</figure>'
 
@@ -65,11 +74,11 @@ class Figure(Generic[Data]):
         """
         suffix = Path(path).suffix.lower()
         if suffix == ".svg":
-            Path(path).write_text(write_svg(self.draw(), self.title, self.alt, fluid=False) + "\n", "utf-8")
+            Path(path).write_text(write_svg(self._canvas, self.title, self.alt, fluid=False) + "\n", "utf-8")
         elif suffix in (".pdf", ".png"):
             from .files import save_with_matplotlib
 
-            save_with_matplotlib(self.draw(), path)
+            save_with_matplotlib(self._canvas, path)
         else:
             raise InvalidInput(f"{str(path)!r} does not name a figure: it must end in .svg, .pdf or .png")
 
@@ -90,4 +99,24 @@ def beside(*figures: Figure[Data], title: str = "", alt: str = "") -> Figure[tup
         tuple(part.data for part in parts),
         lambda: side_by_side([part.draw() for part in parts]),
         tuple(parts),
+    )
+
+
+def above(*figures: Figure[Data], title: str = "", alt: str = "") -> Figure[tuple[Data, ...]]:
+    """One figure made of several, or of several rows, one above another.
+
+    >>> from coxeter.figures import coxeter_diagram
+    >>> above(coxeter_diagram("A2"), coxeter_diagram("G2")).data[1].name
+    'G2'
+    """
+    if not figures:
+        raise InvalidInput("a column needs at least one figure")
+    rows: Sequence[Figure[Data]] = figures
+    return Figure(
+        title or "; ".join(row.title for row in rows),
+        alt or " ".join(row.alt for row in rows),
+        tuple(row.data for row in rows),
+        lambda: one_above_another([row.draw() for row in rows]),
+        tuple(part for row in rows for part in row.parts or (row,)),
+        tuple(rows),
     )

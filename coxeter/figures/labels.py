@@ -11,7 +11,13 @@ from collections.abc import Sequence
 from typing import NamedTuple
 
 _SIGNS = {"tau": "τ", "vee": "∨", "cdots": "⋯", "circ": "°", "leq": "≤", "sigma": "σ", "theta": "θ"}
-_TOKEN = re.compile(r"\\(?P<accent>tilde|hat)\{(?P<letter>.)\}|\\(?P<sign>[a-z]+) ?|(?P<other>.)", re.DOTALL)
+_SIGNS |= {"delta": "δ", "ell": "ℓ", "pi": "π", "varrho": "ϱ", "varphi": "φ"}
+_SAME = {"-": "\N{MINUS SIGN}", "'": "\N{PRIME}"}
+"""How a sign of the keyboard is set in a formula."""
+_TOKEN = re.compile(
+    r"\\(?P<accent>tilde|hat)\{(?P<letter>.)\}|\\sqrt\{(?P<root>\d+)\}|\\(?P<sign>[a-z]+) ?|(?P<other>.)",
+    re.DOTALL,
+)
 _SCRIPT = re.compile(r"(?P<shift>[_^])(?:\{(?P<group>[^{}]*)\}|(?P<one>\\[a-z]+|.))")
 SCRIPT_SIZE = 0.7
 """The size of a subscript or superscript, relative to the line."""
@@ -72,7 +78,8 @@ def _letters(text: str, level: int) -> list[Run]:
         if match["accent"]:
             found.append(Run(match["letter"], True, True, level, {"tilde": "~", "hat": "^"}[match["accent"]]))
             continue
-        letters = _SIGNS[match["sign"]] if match["sign"] else match["other"].replace("-", "\N{MINUS SIGN}")
+        letters = _SIGNS[match["sign"]] if match["sign"] else match["other"] or f"√{match['root']}"
+        letters = _SAME.get(letters, letters)
         italic = letters.isalpha()
         if found and found[-1].italic == italic and not found[-1].accent:
             found[-1] = found[-1]._replace(letters=found[-1].letters + letters)

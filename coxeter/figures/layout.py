@@ -11,12 +11,13 @@ from itertools import pairwise
 from typing import TYPE_CHECKING, Literal, NamedTuple
 
 from ..diagrams import main_line
+from ..exact import Surd, sqrt
 from ..names import Type
 
 if TYPE_CHECKING:
     import networkx as nx
 
-Show = Literal["names", "marks"]
+Show = Literal["names", "marks", "heights"]
 Index = int | str
 Place = tuple[tuple[Fraction, Fraction], str]
 
@@ -25,12 +26,17 @@ LONGEST = 12
 
 
 class Node(NamedTuple):
-    """A node: its number (``"d-1"`` in a family), its mark, its place, and where its label stands."""
+    """A node: its number (``"d-1"`` in a family), its mark, its place, and where its label stands.
+
+    ``ratio`` is the height on the facet of node 0 over that on its own: mark times length of the root,
+    for which the root of node 0 is the unit.
+    """
 
     number: Index
     mark: int
     place: tuple[Fraction, Fraction]
     side: str
+    ratio: Surd | None = None
 
 
 class Edge(NamedTuple):
@@ -57,9 +63,16 @@ def lay_out(kind: Type, affine: bool, graph: nx.Graph, show: Show) -> Diagram:
     """A diagram with places for its nodes; the middle of a long chain is left out."""
     graph = _shorten(graph, kind.rank)
     line, where = _layout(graph)
-    nodes = tuple(Node(k, graph.nodes[k]["mark"], where[k][0], where[k][1]) for k in sorted(graph))
+    nodes = tuple(Node(k, graph.nodes[k]["mark"], *where[k], _ratio(graph, k)) for k in sorted(graph))
     edges = tuple(Edge(i, j, m, (i, j) in _dots(graph)) for i, j, m in sorted(graph.edges(data="m")))
     return Diagram(kind.affine if affine else kind.finite, affine, nodes, edges, tuple(line), show)
+
+
+def _ratio(graph: nx.Graph, k: int) -> Surd | None:
+    if 0 not in graph:
+        return None
+    squares = [Fraction(graph.nodes[i]["squared_length"]) for i in (k, 0)]
+    return int(graph.nodes[k]["mark"]) * sqrt(squares[0] / squares[1])
 
 
 def _shorten(graph: nx.Graph, d: int) -> nx.Graph:

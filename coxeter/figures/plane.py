@@ -19,6 +19,7 @@ from ..roots import RootSystem
 from .canvas import Point, between, overlap
 
 Triangle = tuple[Vector, Vector, Vector]
+Frame = tuple[tuple[Exact, ...], tuple[Exact, ...]]
 
 
 class Line(NamedTuple):
@@ -44,7 +45,7 @@ class Window:
         Pixels for one unit of length.
     """
 
-    frame: tuple[tuple[Exact, ...], tuple[Exact, ...]]
+    frame: Frame
     centre: tuple[Exact, Exact]
     half: tuple[Fraction, Fraction]
     scale: float
@@ -130,7 +131,7 @@ class Window:
         return points
 
 
-def frame(system: RootSystem) -> tuple[tuple[Exact, ...], tuple[Exact, ...]]:
+def frame(system: RootSystem) -> Frame:
     """An orthonormal frame of the plane of a root system of rank 2.
 
     The unit vectors if the roots have two coordinates; else the first simple root points to the
@@ -140,15 +141,40 @@ def frame(system: RootSystem) -> tuple[tuple[Exact, ...], tuple[Exact, ...]]:
     >>> frame(root_system("A2"))[0]
     (sqrt(2)/2, -sqrt(2)/2, 0)
     """
+    s, t = plane_roots(system)
+    if len(s) == 2:
+        return (Fraction(1), Fraction(0)), (Fraction(0), Fraction(1))
+    return orthonormal(s, t)
+
+
+def plane_roots(system: RootSystem) -> tuple[Vector, Vector]:
+    """The two simple roots of a root system of the plane; raises `InvalidInput` for any other."""
     if system.rank != 2:
         raise InvalidInput(f"{system.name} has rank {system.rank}: only rank 2 can be drawn in the plane")
     s, t = system.simple_roots.rows()
-    if len(s) == 2:
-        return (Fraction(1), Fraction(0)), (Fraction(0), Fraction(1))
-    share = _rational(s, t) / _rational(s, s)
-    u = tuple(y - share * x for x, y in zip(s, t, strict=True))
-    first, second = (tuple(x / sqrt(_rational(v, v)) for x in v) for v in (s, u))
+    return s, t
+
+
+def orthonormal(s: Vector, t: Vector) -> Frame:
+    """An orthonormal frame of the plane of two vectors: the first to the right, the second upwards."""
+    first, second = map(unit, orthogonal((s, t)))
     return first, second
+
+
+def orthogonal(vectors: Sequence[Vector]) -> list[Vector]:
+    """Independent vectors, each made orthogonal to those before it (Gram and Schmidt)."""
+    found: list[Vector] = []
+    for vector in vectors:
+        for u in found:
+            share = _rational(vector, u) / _rational(u, u)
+            vector = tuple(x - share * y for x, y in zip(vector, u, strict=True))
+        found.append(vector)
+    return found
+
+
+def unit(vector: Vector) -> tuple[Exact, ...]:
+    """A vector over its length."""
+    return tuple(x / sqrt(_rational(vector, vector)) for x in vector)
 
 
 def triangles_in(window: Window, triangulation: CoxeterTriangulation) -> tuple[tuple[Triangle, int], ...]:
@@ -179,6 +205,11 @@ def reflected(triangle: Triangle, k: int) -> Triangle:
     image = tuple(2 * (a + share * e) - x for a, e, x in zip(p, edge, triangle[k], strict=True))
     vertices = [image if i == k else triangle[i] for i in range(3)]
     return vertices[0], vertices[1], vertices[2]
+
+
+def squared_distance(p: Vector, q: Vector) -> Fraction:
+    """The square of the distance of two points."""
+    return sum(((a - b) ** 2 for a, b in zip(p, q, strict=True)), Fraction(0))
 
 
 def _rational(a: Sequence[Fraction], b: Sequence[Fraction]) -> Fraction:

@@ -22,14 +22,13 @@ from .appendix_b_steps import (
     step,
     step_with,
 )
-from .claim import Constants, Finding, agree, claim, fails, holds
+from .claim import BrokenTool, Constants, Finding, agree, claim, fails, holds
 from .section_4_basics import POWER
 from .section_4_criterion import trapezoid_refutes
 from .section_4_geometry import Pair, circumsphere, height_vector, simplices
 from .section_4_planes import trapezoid_triangles, trapezoids
 from .vectors import Point, along, inner, minus, squared
 from .vocabulary import EVERY_D, FINITE, INSTANCES, Weight
-from .wording import broken
 
 PLACE = "Appendix B, proof of Lemma 4"
 
@@ -46,7 +45,7 @@ def separating_facet(printed: Constants) -> Finding:
         if is_outside != (min(levels) < 0):
             return fails(INSTANCES, f"the simplex {', '.join(map(show, vertices))}", "nothing")
     if not outside:
-        return broken("every simplex tried contains its circumcentre")
+        raise BrokenTool("every simplex tried contains its circumcentre")
     return holds(
         EVERY_D,
         "A point is outside exactly if one of its barycentric coordinates is negative; that of vertex $k$ is "
@@ -129,7 +128,7 @@ def centres_differ(printed: Constants) -> Finding:
     diagonal = (first[0], first[2])
     off = _level_over_facet((*diagonal, first[1]), 2, spheres[0].centre)
     if not (equal and trapezoid_refutes() and spheres[0] == spheres[1] and off):
-        return broken("the witness does not check")
+        raise BrokenTool("the witness does not check")
     return fails(
         FINITE,
         f"the triangles {', '.join(map(show, second))} and {', '.join(map(show, first))}, the "
@@ -222,7 +221,7 @@ def _switches(pair: Pair) -> int:
 def apex_on_cap(printed: Constants) -> Finding:
     """If c and c' differ: p is not inside S', as all is Delaunay, so it is on the cap outside."""
     if any(pair.other_sphere.power(pair.apex) for pair in separated() if pair.share_sphere):
-        return broken("spheres that agree do not agree")
+        raise BrokenTool("spheres that agree do not agree")
     return step(
         in_the_proof,
         lambda pair: pair.sphere.power(pair.apex) == 0 < pair.other_sphere.power(pair.apex),
@@ -278,7 +277,7 @@ def _pythagoras(pair: Pair) -> bool:
 def contradiction(printed: Constants) -> Finding:
     """If R < R', R is not the largest circumradius: c does not lie outside σ."""
     if not all(pair.sphere.square == pair.other_sphere.square for pair in separated() if pair.share_sphere):
-        return broken("spheres that agree do not agree")
+        raise BrokenTool("spheres that agree do not agree")
     return step(
         in_the_proof,
         lambda pair: max(pair.sphere.square, pair.other_sphere.square) != pair.sphere.square,

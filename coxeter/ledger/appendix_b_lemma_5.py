@@ -4,10 +4,9 @@ from __future__ import annotations
 
 from ..simplex import Position, Simplex, position
 from .appendix_b_steps import on_the_boundary, step, step_with
-from .claim import Constants, Finding, claim
+from .claim import BrokenTool, Constants, Finding, claim
 from .section_4_geometry import Pair
 from .vocabulary import Weight
-from .wording import broken
 
 PLACE = "Appendix B, proof of Lemma 5"
 
@@ -17,7 +16,7 @@ def o_is_c(printed: Constants) -> Finding:
     """If c is on the boundary of σ, it is the circumcentre o of a facet."""
     kinds = {_place_in_facet(pair) for pair in on_the_boundary()}
     if kinds != {Position.INSIDE, Position.BOUNDARY}:
-        return broken("the circumcentre on a smaller face was not tried")
+        raise BrokenTool("the circumcentre on a smaller face was not tried")
     return step(
         on_the_boundary,
         lambda pair: pair.middle.centre == pair.sphere.centre and pair.levels[0] == 0,

@@ -8,11 +8,10 @@ from functools import lru_cache
 
 from ..exact import show
 from ..simplex import Position
-from .claim import Constants, Finding, agree, fails, holds
+from .claim import BrokenTool, Constants, Finding, agree, fails, holds
 from .section_4_geometry import Pair, any_pairs, boundary_pairs, separated_pairs
 from .vectors import Point, along, inner, minus, mirrored
 from .vocabulary import EVERY_D, INSTANCES
-from .wording import broken
 
 Pairs = Callable[[], tuple[Pair, ...]]
 
@@ -21,7 +20,7 @@ def step(hypotheses: Pairs, true: Callable[[Pair], bool], *proof: str) -> Findin
     """The step holds for every d by its proof; it is tried on the pairs, of which there must be some."""
     pairs = hypotheses()
     if not pairs:
-        return broken("no pair satisfies the hypotheses")
+        raise BrokenTool("no pair satisfies the hypotheses")
     for pair in pairs:
         if not true(pair):
             return fails(INSTANCES, f"the pair {show_pair(pair)}", "nothing")
@@ -34,7 +33,7 @@ def step_with(
     """The same for a step with a constant, which must have the same value for all pairs."""
     values = _values(hypotheses, value)
     if len(values) != 1:
-        return broken(f"the {name} has {len(values)} values")
+        raise BrokenTool(f"the {name} has {len(values)} values")
     return agree(printed, {name: min(values)}, EVERY_D, *proof, tried(hypotheses()))
 
 

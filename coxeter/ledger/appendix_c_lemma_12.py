@@ -2,15 +2,20 @@
 
 from __future__ import annotations
 
-from ..affine import triangulation
+from collections.abc import Iterable, Sequence
+
+from ..claims.points import exact_point
+from ..errors import InvalidInput
+from ..exact import rational
 from ..families import closed_form, evaluate
-from ..root_lattices import coweight_lattice
+from ..root_lattices import Lattice, coweight_lattice
 from .appendix_c_vertices import LARGEST, point, sample
-from .claim import Constants, Finding, claim, corrected, holds, same
+from .claim import BrokenTool, Constants, Finding, claim, corrected, holds, same
 from .instances import of_type
 from .record_formulas import formula_claims
 from .record_points import point_claims
 from .vocabulary import EVERY_D, Weight
+from .wording import told
 
 formula_claims(lambda f: f.place.startswith("Appendix C"))
 point_claims(lambda p: p.place.startswith("Appendix C"))
@@ -45,44 +50,63 @@ def coweights(printed: Constants) -> Finding:
 
 
 @claim("lem-12.basis", "Appendix C, proof of Lemma 12", Weight.WORDING)
+@told
 def basis(printed: Constants) -> Finding:
     """The points u_k with k from {first} to d are a basis of the coweight lattice."""
-    d = 3
-    rows = list(triangulation(("A", d)).simplex.vertex_matrix.rows())[printed["first"] :]
-    if printed["first"] < 0 or len(rows) < d:
-        return corrected(EVERY_D, "too few points for a basis")
-    if all(any(row) for row in rows):
-        return holds(EVERY_D, "The u_k with k >= 1 are the fundamental coweights", proof=("vertices", "A"))
-    return corrected(
-        EVERY_D,
-        "k from 1 to d: the text itself sums over these",
-        witness="u_0 = 0 is in no basis",
-        evidence="the next sentence has the right range",
-        constants={"first": 1},
-    )
+    first = printed["first"]
+    for t in of_type("A", LARGEST):
+        if not 0 <= first <= t.dimension:
+            raise InvalidInput(f"{t.name} has no vertex {first}: give 0 to {t.dimension}")
+        points = t.simplex.vertex_matrix.rows()[first:]
+        if not _is_basis(points, coweight_lattice(t.roots)):
+            zero = [k for k, u in enumerate(points, first) if not any(u)]
+            return corrected(
+                EVERY_D,
+                "k from 1 to d: the text itself sums over these",
+                witness=f"u_{zero[0]} = 0 is in no basis" if zero else f"{t.name} has rank {t.dimension}",
+                evidence="the next sentence has the right range",
+                constants={"first": 1},
+            )
+    return holds(EVERY_D, "The u_k with k >= 1 are the fundamental coweights", proof=("vertices", "A"))
+
+
+def _is_basis(points: Iterable[Sequence[object]], lattice: Lattice) -> bool:
+    try:
+        return Lattice.spanned_by(points) == lattice
+    except InvalidInput:  # they are dependent
+        return False
 
 
 @claim("lem-12.remainder", "Appendix C, proof of Lemma 12", Weight.PROOF, to_prove=("lem-12.basis",))
 def remainder(printed: Constants) -> Finding:
     """The coordinates of {times} times a vertex are integers {coordinate}, congruent to one k modulo
     {modulus}: it is a remainder-k point."""
-    if not same(printed["times"], "1") and evaluate(printed["times"], d=4) != 5:
-        return corrected(EVERY_D, f"printed {printed['times']} times the vertex; true: d + 1 times")
+    without_factor = same(printed["times"], "1")
     formula = printed["coordinate"].replace("n", "i")
     for d in (2, 3, 4):
+        if not without_factor and evaluate(printed["times"], d=d) != d + 1:
+            return corrected(EVERY_D, f"printed {printed['times']} times the vertex; true: d + 1 times")
         if evaluate(printed["modulus"], d=d) != d + 1:
             return corrected(EVERY_D, f"printed modulus {printed['modulus']}; true: d + 1")
         for k, n in sample(d):
             left = [(d + 1) * x for x in point(k, n)]
             if left != [evaluate(formula, d=d, i=x, k=k) for x in n]:
                 return corrected(EVERY_D, f"for d = {d} they are {left}")
-    if same(printed["times"], "1"):
+    if without_factor:
         return corrected(
             EVERY_D, "the coordinates of d + 1 times the point are meant (times: printed 1, true d + 1)",
-            witness="the coordinates of u_1 in A~2 are -2/3, 1/3, 1/3: no integers",
+            witness=f"the coordinates of u_1 in A~2 are {_broken_coordinates()}: no integers",
             evidence="the sentence before has the factor", constants={**printed, "times": "d + 1"},
         )  # fmt: skip
     return holds(EVERY_D, "The coordinates of u_k are k/(d + 1) and that minus 1; sums keep the property")
+
+
+def _broken_coordinates() -> str:
+    """The coordinates of the paper's u_1 in A~2."""
+    coordinates = exact_point("A", "vertex", 2, 1)
+    if all(rational(x).denominator == 1 for x in coordinates):
+        raise BrokenTool("the vertex u_1 of A~2 has integer coordinates")
+    return ", ".join(map(str, coordinates))
 
 
 @claim("lem-12.sum", "Appendix C, proof of Lemma 12", Weight.PROOF, to_prove=("lem-12.remainder",))

@@ -4,7 +4,9 @@ from __future__ import annotations
 
 from collections.abc import Callable
 from fractions import Fraction
+from functools import lru_cache
 from itertools import permutations, product
+from math import gcd, lcm
 
 from ..affine import triangulation
 from ..errors import InvalidInput
@@ -13,22 +15,36 @@ from ..families import evaluate
 from .appendix_c_vertices import point, sample, squared_distance
 from .claim import Constants, Finding, agree, claim, corrected, holds
 from .vocabulary import EVERY_D, Weight
+from .wording import fits, told
 
 
-@claim("lem-13", "Appendix C, Lemma 13", Weight.PROOF, to_prove=("eq-6", "lem-13.parity", "lem-13.reduction"))
+@lru_cache(maxsize=1)
+def _units() -> dict[int, Fraction]:
+    """For some d the greatest number of which all differences of squared distances are multiples."""
+    found = {}
+    for d in (2, 3, 4, 5):
+        first, *others = sorted({squared_distance(k, n) for k, n in sample(d)})
+        differences = [x - first for x in others]
+        denominator = lcm(*(x.denominator for x in differences))
+        found[d] = Fraction(gcd(*(int(x * denominator) for x in differences)), denominator)
+    return found
+
+
+@claim(
+    "lem-13",
+    "Appendix C, Lemma 13",
+    Weight.PROOF,
+    to_prove=("eq-6", "lem-13.parity", "lem-13.reduction"),
+    proof=("lemma_13",),
+)
 def lemma_13(printed: Constants) -> Finding:
     """Squared distances of vertices of A~_d from the circumcentre differ by integer multiples of {unit}, and
     by no less."""
-    for d in (2, 3, 4, 5):
-        unit = evaluate(printed["unit"], d=d).as_fraction()
-        distances = {squared_distance(k, n) for k, n in sample(d)}
-        least = min(distances)
-        if any(((x - least) / unit).denominator != 1 for x in distances) or Fraction(2, d + 1) != unit:
-            return corrected(EVERY_D, f"printed unit {printed['unit']}; true: 2/(d + 1)")
-    return holds(EVERY_D, proof=("lemma_13",))
+    return agree(printed, {"unit": fits(printed["unit"], "2/(d + 1)", _units())}, EVERY_D)
 
 
 @claim("lem-13.reduction", "Appendix C, proof of Lemma 13", Weight.WORDING)
+@told
 def reduction(printed: Constants) -> Finding:
     """It is enough to compare the squared distance of z from c with {second}, the squared distance of its
     class's vertex."""

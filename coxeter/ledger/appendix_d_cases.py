@@ -16,7 +16,7 @@ from ..lattices import LatticeProof, NonLatticeWitness, vertex_lattice
 from ..paper import PrintedStatement
 from ..paper import printed as paper
 from .claim import Constants
-from .vectors import Point, along, point
+from .vectors import Point, along, point, rational_point
 
 
 @dataclass(frozen=True)
@@ -113,7 +113,7 @@ def spelled(runs: Sequence[tuple[str, str]], d: int) -> Point:
     found = coordinates(tuple(runs), d, 0)
     if found is None:
         raise InvalidInput(f"{runs} is no vector for d = {d}")
-    return tuple(Fraction(x) for x in found)  # type: ignore[arg-type]  # none of them is irrational
+    return rational_point(found)
 
 
 def combination(case: Case, terms: Sequence[tuple[str, str]], d: int) -> Point:

@@ -15,7 +15,7 @@ from ..root_lattices import coweight_lattice, root_lattice
 from ..root_sets import cartan_integer
 from .claim import Constants, Finding, agree, claim, corrected, decide, holds
 from .instances import all_types
-from .vectors import Point, inner
+from .vectors import Point, inner, rational_point
 from .vocabulary import EVERY_D, Weight
 from .wording import told
 
@@ -252,7 +252,7 @@ def permutahedral(printed: Constants) -> Finding:
 def _cells_are_permutohedra(t: CoxeterTriangulation) -> bool:
     """The coordinates of the circumcentre are in arithmetic progression, and the group permutes all of
     them."""
-    centre = [Fraction(x) for x in t.simplex.circumcentre]  # type: ignore[arg-type]  # it is rational
+    centre = rational_point(t.simplex.circumcentre)
     steps = {abs(b - a) for a, b in zip(sorted(centre), sorted(centre)[1:], strict=False)}
     orders = {tuple(p) for p in permutations(range(t.dimension + 1))}
     return len(steps) == 1 and len(orders) == t.roots.weyl_group_order == factorial(t.dimension + 1)

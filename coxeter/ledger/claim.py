@@ -103,8 +103,17 @@ class Claim:
         return re.sub(r"\{(\w+)\}", lambda m: spell(known.get(m[1], m[0])), self.words)
 
     def judge(self, constants: Constants | None = None) -> Finding:
-        """The verdict on the statement, as printed or with other constants."""
-        return self.check(self.printed if constants is None else constants)
+        """The verdict on the statement, as printed or with other constants.
+
+        Raises
+        ------
+        BrokenTool
+            If what the check computes with does not work; the message names the claim.
+        """
+        try:
+            return self.check(self.printed if constants is None else constants)
+        except BrokenTool as error:
+            raise BrokenTool(f"{self.id}: no verdict, for {error}") from error
 
 
 CLAIMS: dict[str, Claim] = {}
@@ -163,9 +172,13 @@ def _with_proof(check: Check, proof: tuple[str, ...]) -> Check:
 
 def register(new: Claim) -> None:
     """Enter a claim under its id, which must be new."""
-    if new.id in CLAIMS and CLAIMS[new.id].code != new.code:
+    if new.id in CLAIMS:
         raise InvalidInput(f"there are two claims {new.id!r}: give one of them another id")
     CLAIMS[new.id] = new
+
+
+class BrokenTool(RuntimeError):
+    """Raised by a check whose own tools do not work: an error, and no verdict on the paper."""
 
 
 class Equivalent(CoxeterError):

@@ -17,10 +17,14 @@ SAMPLES = tuple(
 """Where two formulas are compared, to tell a mutant from another way to write the same."""
 
 
+OTHER_WORDS = "something else"
+"""What takes the place of words."""
+
+
 def mutants(constants: Constants) -> Iterator[tuple[str, Constants]]:
     """Each constant moved: integers by one and in sign, formulas in each number and sign, tuples cut.
 
-    Yields pairs (what was changed, constants). Words stay as they are.
+    A quotient becomes a product, and words give way to others. Yields pairs (what was changed, constants).
 
     >>> [what for what, _ in mutants({"angle": 60, "side": "sqrt(2)/2"})]
     ['angle: 61', 'angle: 59', 'angle: -60', 'side: sqrt(2) / 3', 'side: sqrt(2) / 1', 'side: sqrt(3) / 2', \
@@ -53,17 +57,20 @@ def _move_text(text: str) -> Iterator[str]:
         for digit in {last + 1, last - 1} & set(range(10)):
             yield mantissa[:-1] + str(digit) + e + exponent
         return
-    if not re.search(r"\d|\bd\b|\bk\b", text):
+    if not re.search(r"\d|\bd\b|\bk\b|/", text):
+        yield OTHER_WORDS
         return
     try:
         tree = ast.parse(text, mode="eval")
     except SyntaxError:
+        yield OTHER_WORDS
         return
     yield from (moved for moved in (*_move_tree(tree), f"-({text})") if not _equal(moved, text))
 
 
 def _move_tree(tree: ast.Expression) -> Iterator[str]:
-    """Every number of a formula one up and one down, every plus a minus and the other way round."""
+    """Every number of a formula one up and one down, every plus a minus and the other way round, every
+    quotient a product."""
     for node in ast.walk(tree):
         if isinstance(node, ast.Constant) and type(node.value) is int:
             value = node.value
@@ -76,6 +83,10 @@ def _move_tree(tree: ast.Expression) -> Iterator[str]:
             node.op = ast.Sub() if isinstance(op, ast.Add) else ast.Add()
             yield ast.unparse(tree)
             node.op = op
+        elif isinstance(node, ast.BinOp) and isinstance(node.op, ast.Div):
+            node.op = ast.Mult()
+            yield ast.unparse(tree)
+            node.op = ast.Div()
 
 
 def _equal(a: str, b: str) -> bool:

@@ -88,16 +88,21 @@ def judge_cell(table: int, letter: str, d: int, constants: Constants) -> Finding
     cell = _cell(table, letter, d)
     exact = exact_value(cell.family, cell.quantity, d)
     text = str(constants.get("decimal", cell.printed))
-    is_placed = text != cell.printed or cell.outcome is Outcome.AGREES or "placed" in constants
-    if is_placed and _is_number(text) and compare_decimal(text, exact) is Outcome.AGREES:
+    if (
+        constants.get("column", cell.column) == d
+        and _is_number(text)
+        and compare_decimal(text, exact) is Outcome.AGREES
+    ):
         return holds(FINITE, f"The exact value is ${exact.latex()}$")
-    if text != cell.printed:
+    if text != cell.printed or "column" in constants:
         return corrected(FINITE, "")
     true = cell.rounded or round_like("0.000", exact)
-    moved = f" in the column of d = {cell.column}" if cell.column not in (None, d) else ""
+    is_moved = cell.column not in (None, d)
+    moved = f" in the column of d = {cell.column}" if is_moved else ""
     correction = f"printed {cell.printed or 'nothing'}{moved}; true: {true}"
     witness = f"the exact value is ${exact.latex()}$"
-    return faulty(FINITE, cell, correction, witness=witness, constants={"decimal": true, "placed": "yes"})
+    constants = {"decimal": true} | ({"column": d} if is_moved else {})
+    return faulty(FINITE, cell, correction, witness=witness, constants=constants)
 
 
 def judge_label(c: Comparison, constants: Constants) -> Finding:

@@ -9,6 +9,7 @@ from functools import lru_cache, partial
 from ..claims.core import dimensions, simplex_of
 from ..claims.points import (
     SIGN,
+    agrees,
     compare_point,
     compare_points,
     exact_point,
@@ -78,9 +79,10 @@ def judge_point(p: PrintedPoint, constants: Constants) -> Finding:
     first, last = constants.get("first", ""), constants.get("last", "")
     asked = replace(p, runs=constants["point"], first=first, last=last)
     right = _is_similar(p, asked) if p.family == "G2" else _is_right(asked)
-    if right and (p.label is None or constants.get("label") or asked != p):
+    if right and constants.get("label", p.label) in (None, _true_label(p)):
         return holds(strength_for(p.family), proof=_proof(p))
-    return _finding(p) if asked == p else corrected(strength_for(p.family), "")
+    as_printed = asked == p and "label" not in constants
+    return _finding(p) if as_printed else corrected(strength_for(p.family), "")
 
 
 def _proof(p: PrintedPoint) -> tuple[str, ...]:
@@ -115,7 +117,7 @@ def _is_right(p: PrintedPoint) -> bool:
     if p.family not in MINIMAL_DIMENSION:
         return not failures(p, p.family)
     try:
-        return _has_its_range(p) and _is_right_for_every_d(p)
+        return _has_its_range(p) and _is_right_early(p) and _is_right_for_every_d(p)
     except (CoxeterError, KeyError):
         return False
 
@@ -127,6 +129,12 @@ def _has_its_range(p: PrintedPoint) -> bool:
     low = MINIMAL_DIMENSION[p.family]
     as_printed = next(q for q in printed().points if q.line == p.line)
     return all(set(vertex_numbers(p, d)) == _numbers_left(as_printed, d) for d in range(low, low + 6))
+
+
+def _is_right_early(p: PrintedPoint) -> bool:
+    """Whether a point is right in one small dimension: most wrong ones are not, and this is soon seen."""
+    d = MINIMAL_DIMENSION[p.family] + 2
+    return all(0 <= k <= d and agrees(p, p.family, d, k) for k in vertex_numbers(p, d))
 
 
 @lru_cache(maxsize=64)
@@ -196,9 +204,15 @@ def _is_mirror_vertex(p: PrintedPoint) -> bool:
 def _finding(p: PrintedPoint) -> Finding:
     comparison = compare_point(printed(), p)
     true = _true_runs(p)
-    constants = {"point": true, "label": "right"} | _range(p) if true else None
+    label = {} if p.label is None else {"label": _true_label(p)}
+    constants = {"point": true, **label, **_range(p)} if true else None
     correction = f"printed {comparison.printed}; {comparison.note}"
     return faulty(strength_for(p.family), comparison, correction, constants=constants)
+
+
+def _true_label(p: PrintedPoint) -> str:
+    """What should stand in front of a point."""
+    return {"vertex": f"u_{p.index}", "circumcentre": "c", "incentre": "c_in"}.get(p.name, p.name)
 
 
 def _true_runs(p: PrintedPoint) -> Runs | None:

@@ -15,8 +15,8 @@ from functools import lru_cache
 from pathlib import Path
 
 from ..paper.loading import damaged, read
-from . import ROOMS
 from .claim import Claim, Finding
+from .rooms import ROOMS
 from .vocabulary import Extent, Verdict, Weight
 
 FILE = Path(__file__).with_name("recorded.json")
@@ -29,7 +29,7 @@ class Record:
     Attributes
     ----------
     room
-        The module among `coxeter.ledger.ROOMS` that has to be imported to find the claim.
+        The module among `coxeter.ledger.rooms.ROOMS` that has to be imported to find the claim.
     verdict, strength, weight, correction
         In words. A correction says what is printed and what is true, so that a change of either shows.
     about

@@ -7,9 +7,9 @@ from collections.abc import Iterable, Mapping
 from dataclasses import dataclass
 from typing import Any
 
-from . import all_claims
 from .claim import CLAIMS, Claim
 from .recorded import Record, differences, record, recorded
+from .rooms import all_claims
 from .running import Result
 from .vocabulary import Extent, Verdict
 

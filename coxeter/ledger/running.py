@@ -13,9 +13,9 @@ from dataclasses import dataclass
 from pathlib import Path
 
 from ..errors import CoxeterError
-from . import all_claims, find_claim
 from .claim import CLAIMS, Claim, Equivalent, Finding
 from .mutants import mutants
+from .rooms import all_claims, find_claim
 
 BUDGET = 20.0
 """Seconds that a claim may take, its mutants included."""

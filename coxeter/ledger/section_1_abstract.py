@@ -2,19 +2,16 @@
 
 from __future__ import annotations
 
-from fractions import Fraction
 from functools import lru_cache
 
-from ..errors import InvalidInput
 from .claim import Constants, Finding, agree, claim, conjecture
 from .instances import all_types
 from .section_1_rates import (
-    UPPER_FOR_ALL,
+    bounds_for_all,
     comparison,
     formula_is_protection,
     judge_protection,
     judge_quality,
-    least_of_all,
     protected_families,
     protection_exponent,
     quality_exponent,
@@ -56,10 +53,7 @@ def one_simplex(printed: Constants) -> Finding:
 def quality_rate(printed: Constants) -> Finding:
     """The quality of the simplices of all Coxeter triangulations is {bound} of d to the power {exponent},
     times that of the regular simplex."""
-    name, least = least_of_all()
-    if (name, least) != ("E~8", Fraction(16, 81)):
-        raise InvalidInput(f"the least value is {least}, of {name}")
-    return explained(judge_quality(printed), f"{UPPER_FOR_ALL} (fatness being taken to the power 1/d).")
+    return explained(judge_quality(printed), bounds_for_all())
 
 
 @claim("sec1.abstract.protection-rate", "Abstract", WORDING)

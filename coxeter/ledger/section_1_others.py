@@ -153,7 +153,7 @@ def root_lattice_triangulations(printed: Constants) -> Finding:
     return agree(
         printed, {"different": different}, EVERY_D,
         "From d = 3 on a vertex $u_k$ of the alcove has more than d + 1 nearest points of the root "
-        "lattice, so a Delaunay cell is no simplex. They are an orbit of the group $W_k$ that fixes $u_k$, "
+        "lattice, so some Delaunay cell is no simplex. They are an orbit of the group $W_k$ fixing $u_k$, "
         "and number $|W_k|/|W_k\\cap W|$: $\\binom{d+1}{2}$ for $A_d$ and k = 2, $2^{d-1}$ for $D_d$ and k "
         "= d.",
         f"Computed: {', '.join(f'{name} {many}' for name, many in crowded.items())}.",

@@ -6,8 +6,10 @@ from fractions import Fraction
 from functools import lru_cache
 
 from ..delaunay import protection
-from ..errors import CoxeterError
+from ..errors import CoxeterError, InvalidInput
+from ..exact import Surd
 from ..families import closed_form
+from ..names import MINIMAL_DIMENSION
 from ..quality import PAPER_MEASURES, find_measure
 from .claim import Constants, Finding, agree
 from .instances import all_types, of_type
@@ -15,21 +17,27 @@ from .vocabulary import EVERY_D
 from .wording import explained
 
 MEASURES = tuple(known.name for known in PAPER_MEASURES)
+LARGEST = 16
+"""The values of all measures are computed up to this dimension."""
 
 
 # -- quality ----------------------------------------------------------------------------------------------
 
 
 @lru_cache(maxsize=1)
+def _values() -> dict[tuple[str, str], Surd]:
+    """The values d·κ² of all normalised measures of all triangulations up to d = 16, by name and measure."""
+    return {
+        (t.name, m): find_measure(m).normalized(t.simplex) ** 2 * t.dimension
+        for t in all_types(LARGEST)
+        for m in MEASURES
+    }
+
+
+@lru_cache(maxsize=1)
 def _within_band() -> bool:
     """Whether d·κ² lies in [1/2, 8) for all normalised measures of the four families up to d = 16."""
-    values = (
-        d * closed_form(family, f"normalized_{m}").at(d) ** 2
-        for family in "ABCD"
-        for m in MEASURES
-        for d in range({"B": 3, "D": 4}.get(family, 2), 17)
-    )
-    return all(2 * x >= 1 and x < 8 for x in values)
+    return all(2 * x >= 1 and x < 8 for (name, _), x in _values().items() if name[0] in MINIMAL_DIMENSION)
 
 
 @lru_cache(maxsize=1)
@@ -48,52 +56,78 @@ def band_for_every_d() -> bool:
 
 
 @lru_cache(maxsize=1)
-def least_of_all() -> tuple[str, Fraction]:
-    """The triangulation up to d = 16 with the least d·κ² of all normalised measures, and that value."""
-    values = {
-        t.name: min((find_measure(m).normalized(t.simplex) ** 2 * t.dimension).as_fraction()
-                    for m in ("aspect_ratio", "thickness"))
-        for t in all_types(8)
-    }  # fmt: skip
-    name = min(values, key=lambda name: values[name])
-    return name, values[name]
+def bounds_for_all() -> str:
+    """Between what all Coxeter triangulations lie, in words: the four families lie in the band for every d.
+
+    So the least value d·κ² of all is that of an exceptional type, if that is less than 1/2; and if none is 8
+    or more, that is a bound for all.
+    """
+    (name, m), least = min(_values().items(), key=lambda entry: entry[1])
+    if least >= Fraction(1, 2) or max(_values().values()) >= 8:
+        raise InvalidInput(
+            f"the least value is {least}, of {name}: the band of the four families is not left"
+        )
+    lower = least.root(2).as_fraction()
+    return (
+        "O gives an upper bound, which any bad triangulation satisfies. What is meant, and true, is the "
+        f"exact order: for all Coxeter triangulations quality lies between $\\frac{{{lower.numerator}}}"
+        f"{{{lower.denominator}\\sqrt d}}$, which the {m.replace('_', ' ')} of {name} attains, and "
+        "$\\frac{\\sqrt8}{\\sqrt d}$ (fatness being taken to the power 1/d)."
+    )
 
 
-_QUALITY = (
-    "For every d and every normalised measure $\\hat\\kappa$ of the four families (fatness to the power "
-    "1/d) $\\tfrac12\\le d\\,\\hat\\kappa^2<8$, so it is of the exact order $1/\\sqrt d$. By the closed "
-    "forms:",
-    "$\\tilde A_d$: $d\\hat\\alpha^2=d\\hat\\rho^2=\\frac{6d^2}{(d+1)(d+2)}$; "
-    "$d\\hat\\theta^2=\\frac{4d^2}{(d+1)^2}$ or $\\frac{4d}{d+2}$; fatness $\\frac{8d}{(d+1)^{1+2/d}}$ or "
-    "$\\frac{8(d+1)^{1-2/d}}{d+2}$, and $1\\le(d+1)^{2/d}\\le3$.",
-    "$\\tilde B_d,\\tilde C_d,\\tilde D_d$: $d\\hat\\theta^2=\\frac d{d+1}$; "
-    "$d\\hat\\alpha^2=\\frac{2d^3}{(d+1)^2(d+c)}$ with c = 2, 0, 4; fatness $2\\,(c/(d+1))^{1/d}$ with c = "
-    "4, 1, 16; the radius ratio likewise. For $\\tilde B_3$ thickness and fatness are $\\frac9{16}$ and "
-    "$\\frac32$.",
-    "Limits of $\\sqrt d\\,\\hat\\kappa$ for fatness, aspect ratio, thickness, radius ratio: "
-    "$2\\sqrt2,\\sqrt6,2,\\sqrt6$ for $\\tilde A$; $\\sqrt2,\\sqrt2,1,\\sqrt2$ for the others.",
-    "Decided for every d by the signs of coefficients: the band for aspect ratio, thickness and radius "
-    "ratio. "
-    "Computed: the band for all d up to 16, and the decay from d = 64 to d = 1024.",
-)
+@lru_cache(maxsize=1)
+def _quality() -> tuple[str, ...]:
+    """How the order of the normalised measures is known."""
+    return (
+        "For every d and every normalised measure $\\hat\\kappa$ of the four families (fatness to the power "
+        "1/d) $\\tfrac12\\le d\\,\\hat\\kappa^2<8$, so it is of the exact order $1/\\sqrt d$. By the closed "
+        "forms:",
+        "$\\tilde A_d$: $d\\hat\\alpha^2=d\\hat\\rho^2=\\frac{6d^2}{(d+1)(d+2)}$; "
+        "$d\\hat\\theta^2=\\frac{4d^2}{(d+1)^2}$ or $\\frac{4d}{d+2}$; fatness $\\frac{8d}{(d+1)^{1+2/d}}$ "
+        "or $\\frac{8(d+1)^{1-2/d}}{d+2}$, and $1\\le(d+1)^{2/d}\\le3$.",
+        "$\\tilde B_d,\\tilde C_d,\\tilde D_d$: $d\\hat\\theta^2=\\frac d{d+1}$; "
+        "$d\\hat\\alpha^2=\\frac{2d^3}{(d+1)^2(d+c)}$ with c = 2, 0, 4; fatness $2\\,(c/(d+1))^{1/d}$ with "
+        "c = 4, 1, 16; the radius ratio likewise. For $\\tilde B_3$ thickness and fatness are $\\frac9{16}$ "
+        "and $\\frac32$.",
+        f"Limits of $\\sqrt d\\,\\hat\\kappa$ for {', '.join(x.replace('_', ' ') for x in MEASURES)}, by the "
+        f"leading terms: {'; '.join(_limits(family) for family in MINIMAL_DIMENSION)}.",
+        "Decided for every d by the signs of coefficients: the band for aspect ratio, thickness and radius "
+        f"ratio. Computed: the band for all d up to {LARGEST}.",
+    )
 
 
-def _exponent(form: str, family: str) -> Fraction | None:
-    """The half-integer e for which a closed form behaves like d^e, from d = 64 to d = 1024; else None."""
-    low, high = (closed_form(family, form).at(d) for d in (64, 1024))
-    if form == "fatness":
-        low, high = low.root(64), high.root(1024)
-    for twice in range(5):
-        scaled = high * 4**twice
-        if 2 * low < 3 * scaled and 2 * scaled < 3 * low:
-            return Fraction(-twice, 2)
-    return None
+def _limits(family: str) -> str:
+    """The limits of the measures of a family times the root of d."""
+    from ..proofs.rates import constant
+
+    return f"${', '.join(constant(family, m).latex() for m in MEASURES)}$ for $\\tilde {family}$"
+
+
+FACTORIAL_BOUNDS = ("(d**d)", "((d/3)**d)")
+"""n! lies between these: by induction, as (1 + 1/n)^n < 3."""
+
+
+def _exponent(form: str, family: str) -> Fraction:
+    """The e for which a closed form is of the exact order d^e; fatness is taken to the power 1/d."""
+    from ..symbolic.radicals_limits import growth
+
+    found = set()
+    for piece in closed_form(family, form).pieces:
+        if piece.high is None and form == "fatness":  # a factorial, so between two powers
+            bounds = (piece.text.replace("factorial(d)", x) for x in FACTORIAL_BOUNDS)
+            found |= {growth(f"({text})**(1/d)").degree for text in bounds}
+        elif piece.high is None:
+            found.add(growth(piece.text).degree)
+    if len(found) != 1:
+        raise InvalidInput(f"the {form} of {family}~ is not of one order: {found}")
+    return found.pop()
 
 
 @lru_cache(maxsize=2)
 def exponents(prefix: str = "normalized_") -> dict[str, Fraction | None]:
     """The exponent of each measure in the four families, None if it is not the same in all."""
-    by_measure = {m: {_exponent(prefix + m, family) for family in "ABCD"} for m in MEASURES}
+    by_measure = {m: {_exponent(prefix + m, family) for family in MINIMAL_DIMENSION} for m in MEASURES}
     return {m: found.pop() if len(found) == 1 else None for m, found in by_measure.items()}
 
 
@@ -110,16 +144,9 @@ def judge_quality(printed: Constants, **more: object) -> Finding:
         "exponent": quality_exponent(),
         **more,
     }
-    return agree(printed, true, EVERY_D, *_QUALITY)
+    return agree(printed, true, EVERY_D, *_quality())
 
 
-UPPER_FOR_ALL = (
-    "O gives an upper bound, which any bad triangulation satisfies. What is meant, and true, is the "
-    "exact order: for "
-    "all Coxeter triangulations quality lies between $\\frac{4}{9\\sqrt d}$, which the thickness of E~8 "
-    "attains, and "
-    "$\\frac{\\sqrt8}{\\sqrt d}$"
-)
 ONLY_UPPER = (
     "O gives an upper bound, which any bad triangulation satisfies. What is meant, and true, is that "
     "quality is of the exact order: it lies between $\\frac1{\\sqrt{2d}}$ and $\\frac{\\sqrt8}{\\sqrt d}$"
@@ -142,8 +169,8 @@ def judge_protection(printed: Constants, **more: object) -> Finding:
         "squared distance $R^2+\\frac2{d+1}$ from the circumcentre and $R^2=\\frac{d(d+2)}{12(d+1)}$.",
         "R, the greatest distance of a point from the vertices, is the ε of the net that they are.",
         "$\\frac x2-\\frac{x^2}8<\\sqrt{1+x}-1<\\frac x2$ for $x>0$, so $d^2\\,\\hat\\delta\\to12$.",
-        "Computed: the formula against the nearest vertices up to d = 12, and its decay from d = 64 to d = "
-        "1024.",
+        "Computed: the formula against the nearest vertices up to d = 12. The exponent is that of its "
+        "leading terms.",
     )  # fmt: skip
     return explained(
         finding,

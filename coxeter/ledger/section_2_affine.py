@@ -11,7 +11,7 @@ from ..exact import RationalMatrix, sqrt
 from ..root_lattices import coroot_lattice
 from .claim import Constants, Finding, agree, claim
 from .instances import all_types, neighbours_are_congruent, systems
-from .vectors import inner, minus, point
+from .vectors import inner, minus, point, rational_point
 from .vocabulary import EVERY_D, LITERATURE, Weight
 from .wording import explained, fits, quoted
 
@@ -211,7 +211,7 @@ def _folds_to_itself() -> bool:
     for t in all_types(4):
         n = t.dimension + 1
         for weights in ([Fraction(1, n)] * n, [Fraction(2 * i, n * (n - 1)) for i in range(n)]):
-            point = tuple(Fraction(x) for x in t.simplex.point(weights))  # type: ignore[arg-type]
+            point = rational_point(t.simplex.point(weights))
             for word in ((0, 1), (1, 0, 2, 0), (2, 1, 0)):
                 if t.fold(t.unfold(word, point)).point != point:
                     return False

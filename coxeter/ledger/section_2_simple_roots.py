@@ -161,8 +161,7 @@ def whole_coefficients(printed: Constants) -> Finding:
     return repaired(
         EVERY_D,
         "a positive root is simple, or a sum of two positive roots whose products with t are smaller; "
-        "there are "
-        "finitely many, so it is a sum of simple roots",
+        "there are finitely many, so it is a sum of simple roots",
         "that they are a basis gives real coefficients only: (1, 0) and (1, 2) are a basis of the plane, and "
         "(1, 1) is half their sum",
         derivation=("Computed up to rank 4: all coefficients are integers.",),

@@ -13,6 +13,7 @@ from .instances import all_types, is_regular, of_type
 from .section_3_identities import ASPECT_RATIO, FATNESS, RADIUS_RATIO, THICKNESS, identities
 from .section_3_samples import NAMES, greatest, measured, normalised, rivals, squeezed, values_towards_zero
 from .vocabulary import EVERY_D, INSTANCES, Weight, up_to
+from .wording import told
 
 # -- Definition 18 ----------------------------------------------------------------------------------------
 
@@ -161,6 +162,7 @@ def _values_taken() -> dict[str, object]:
     to_state=["sec3.normalisation"],
     to_prove=_THEOREM_5,
 )
+@told
 def range_of_values(printed: Constants) -> Finding:
     """For d >= {from_d} the normalised measures take all values between {ends} and no others.
 
@@ -210,6 +212,7 @@ def _what_singles_out_a() -> tuple[tuple[int, ...], bool]:
 
 
 @claim("sec3.emphasis", "Section 3, after Theorem 5", Weight.WORDING, to_state=_THEOREM_5)
+@told
 def emphasis(printed: Constants) -> Finding:
     """That the literature stresses A~ is justified by Theorem {theorem}."""
     regular, best = _what_singles_out_a()

@@ -12,13 +12,12 @@ from ..affine import triangulation
 from ..exact import show
 from ..names import triangulations_up_to
 from ..simplex import Position, Simplex, position
-from .claim import Constants, Finding, agree, claim, holds
+from .claim import BrokenTool, Constants, Finding, agree, claim, holds
 from .section_4_geometry import circumsphere, height_vector, simplices
 from .section_4_patches import patch, powers_in_patch
 from .section_4_planes import cut_from_the_centres, trapezoid_triangles, trapezoids
 from .vectors import Point, inner, minus, point, squared_edges
 from .vocabulary import EVERY_D, FINITE, Weight
-from .wording import broken
 
 SMALL = tuple(kind.affine for kind in triangulations_up_to(4))
 SMALLEST = tuple(kind.affine for kind in triangulations_up_to(3))
@@ -78,7 +77,7 @@ def monohedral(printed: Constants) -> Finding:
     classes = {len(kind) for kind in kinds.values()} | {len(thirds)}
     several = len({squared_edges(t) for t in trapezoid_triangles()})
     if several < 2:
-        return broken("no triangulation with two classes was found")
+        raise BrokenTool("no triangulation with two classes was found")
     return agree(
         printed,
         {"classes": classes.pop() if len(classes) == 1 else 0},
@@ -105,7 +104,7 @@ def finite_inapplicable(printed: Constants) -> Finding:
     on_boundary = position(Simplex(large).circumcentre_coordinates) is Position.BOUNDARY
     guarded = spheres[0].power(small[2]) > 0 and spheres[1].power(large[0]) > 0
     if not (alone and on_boundary and guarded and spheres[0].square > spheres[1].square):
-        return broken("a finite witness does not have the properties it should")
+        raise BrokenTool("a finite witness does not have the properties it should")
     return holds(
         FINITE,
         f"The triangle {show_all(OBTUSE)} alone is Delaunay, monohedral and not self-centred: against Lemma "
@@ -127,7 +126,7 @@ def show_all(vertices: tuple[Point, ...]) -> str:
 def self_centred(printed: Constants) -> Finding:
     """Self-centred: the circumcentre is not outside the simplex; it is {boundary} that boundaries count."""
     if not _coordinates_are_heights():
-        return broken("barycentric coordinates and heights of a circumcentre differ")
+        raise BrokenTool("barycentric coordinates and heights of a circumcentre differ")
     flat = [kind for kind in SMALL if position_of(kind) is Position.BOUNDARY]
     counts = all(powers_in_patch(kind)[0] >= 0 for kind in flat)
     return agree(

@@ -9,7 +9,7 @@ from ..affine import triangulation
 from ..exact import show
 from ..names import triangulations_up_to
 from ..simplex import Position, Simplex, position
-from .claim import Constants, Finding, agree, claim, fails, repaired
+from .claim import BrokenTool, Constants, Finding, agree, claim, fails, repaired
 from .section_4_basics import OBTUSE, POWER, SMALL, SMALLEST, WALK, position_of, show_all
 from .section_4_geometry import circumsphere, mirror_factors, power_identity_holds
 from .section_4_patches import mirror_powers, patch, powers_in_patch
@@ -24,7 +24,6 @@ from .section_4_planes import (
     trapezoids,
 )
 from .vocabulary import EVERY_D, FINITE, Weight
-from .wording import broken
 
 LEMMA_4_PRIME = (
     *POWER,
@@ -62,7 +61,7 @@ def monohedral_ones_are_delaunay() -> bool:
 def rajan(printed: Constants) -> Finding:
     """It is {delaunay} that a triangulation of R^d by self-centred simplices only is Delaunay."""
     if not power_identity_holds():
-        return broken("identity (P) fails")
+        raise BrokenTool("identity (P) fails")
     return agree(
         printed,
         {"delaunay": self_centred_are_delaunay()},
@@ -161,10 +160,10 @@ def lemma_4(printed: Constants) -> Finding:
     """In a Delaunay triangulation of R^d every simplex with the largest circumradius is self-centred."""
     cells = largest_cells()
     if not (trapezoid_refutes() and all(cell.contains_centre for cell in cells) and power_identity_holds()):
-        return broken("the witness, or an instance of Lemma 4′, does not check")
+        raise BrokenTool("the witness, or an instance of Lemma 4′, does not check")
     growing = growing_radii()
     if not (list(growing) == sorted(set(growing)) and growing[-1] < Fraction(25, 64)):
-        return broken("the radii of the growing rows do not grow")
+        raise BrokenTool("the radii of the growing rows do not grow")
     crossed = sum(min(cell.lowest_coordinates) < 0 for cell in cells)
     return fails(
         FINITE,
@@ -242,7 +241,7 @@ def _others_are_not_delaunay() -> bool:
 
 def _with_lemma_4_prime(*more: str) -> Finding:
     if not (trapezoid_refutes() and power_identity_holds()):
-        return broken("the witness against Lemma 4 does not check")
+        raise BrokenTool("the witness against Lemma 4 does not check")
     return repaired(
         EVERY_D,
         "in place of Lemma 4 take Lemma 4′: in a monohedral Delaunay triangulation every circumradius is the "

@@ -14,9 +14,8 @@ from fractions import Fraction
 from functools import cached_property, lru_cache
 
 from ..errors import DegenerateSimplex
-from ..exact import rational
 from ..simplex import Position, Simplex, position
-from .vectors import Point, along, inner, minus, point, squared
+from .vectors import Point, along, inner, minus, point, rational_point, squared
 
 
 def perpendicular(x: Point, directions: Iterable[Point]) -> Point:
@@ -53,7 +52,7 @@ def circumsphere(vertices: tuple[Point, ...]) -> Sphere:
     if len(vertices) == 1:
         return Sphere(vertices[0], Fraction(0))
     simplex = Simplex(vertices)
-    return Sphere(tuple(rational(x) for x in simplex.circumcentre), simplex.squared_circumradius)
+    return Sphere(rational_point(simplex.circumcentre), simplex.squared_circumradius)
 
 
 @dataclass(frozen=True)

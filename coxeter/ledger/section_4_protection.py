@@ -9,14 +9,13 @@ from itertools import pairwise
 from ..affine import triangulation
 from ..names import Type, triangulations_up_to
 from ..simplex import Position, Simplex
-from .claim import Constants, Finding, agree, claim, repaired
+from .claim import BrokenTool, Constants, Finding, agree, claim, repaired
 from .section_4_basics import POWER, WALK, position_of
 from .section_4_criterion import monohedral_ones_are_delaunay
 from .section_4_geometry import boundary_pairs, power_identity_holds
 from .section_4_patches import mirror_powers, powers_in_patch
 from .section_4_planes import flattening_rows, half_turn_tilings, least_powers, where
 from .vocabulary import EVERY_D, Weight
-from .wording import broken
 
 _LEMMA_5_STEPS = ("lem-5.o-is-c", "lem-5.larger-radius", "lem-5.same-ball", "lem-5.protection-zero")
 
@@ -29,7 +28,7 @@ def lemma_5(printed: Constants) -> Finding:
     """
     pairs = boundary_pairs()
     if not (pairs and power_identity_holds()):
-        return broken("identity (P) fails")
+        raise BrokenTool("identity (P) fails")
     larger = all(p.other_sphere.square > p.sphere.square for p in pairs if not p.share_sphere)
     touched = all(p.sphere.power(p.other) == 0 for p in pairs if p.share_sphere)
     flat = [kind for kind in triangulations_up_to(8) if position_of(kind.affine) is Position.BOUNDARY]
@@ -135,7 +134,7 @@ def strict_inequalities(printed: Constants) -> Finding:
     tends_to_zero = all(p <= Fraction(8, 2 ** (n + 1)) for p, n in zip(powers, range(0, 20, 4), strict=True))
     harmonic = _harmonic_protections()
     if not (positive and tends_to_zero and harmonic == tuple(Fraction(1, n + 1) for n in range(2, 7))):
-        return broken("the stack of flattening rows does not have the properties it should")
+        raise BrokenTool("the stack of flattening rows does not have the properties it should")
     return repaired(
         EVERY_D,
         "strict inequalities give a positive distance for each vertex and each simplex; for a positive "

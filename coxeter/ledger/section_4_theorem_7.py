@@ -7,13 +7,12 @@ from ..delaunay import protection
 from ..exact import sqrt
 from ..names import Type, triangulations_up_to
 from ..simplex import Position, Simplex
-from .claim import Constants, Finding, agree, claim
+from .claim import BrokenTool, Constants, Finding, agree, claim
 from .section_4_basics import position_of
 from .section_4_geometry import circumsphere, mirror_factors
 from .section_4_patches import mirror_powers, patch, powers_in_patch
 from .vectors import Point
 from .vocabulary import EVERY_D, Weight
-from .wording import broken
 
 MIRROR = (
     r"Let $s_k$ be the reflection in the facet opposite to $u_k$, $h_k$ the height and $\lambda_k$ the "
@@ -164,7 +163,7 @@ def theorem_7(printed: Constants) -> Finding:
     small = [k.affine for k in kinds if k.rank <= 3]
     radii = all(len({Simplex(tuple(s)).squared_circumradius for s in patch(name, 2)}) == 1 for name in small)
     if not radii:
-        return broken("the simplices of a Coxeter triangulation have several circumradii")
+        raise BrokenTool("the simplices of a Coxeter triangulation have several circumradii")
     return agree(
         printed,
         {"cases": len({position_of(k.affine) for k in kinds})},

@@ -5,8 +5,8 @@ from __future__ import annotations
 from functools import partial
 
 from ..affine import triangulation
-from ..claims.core import affine_name
-from ..claims.points import SIGN
+from ..claims.core import affine_name, triangulation_of
+from ..claims.points import SIGN, exact_point
 from ..delaunay import circumcentre_position
 from ..errors import InvalidInput
 from ..exact import sqrt
@@ -18,6 +18,7 @@ from .claim import Constants, Finding, agree, claim, corrected, damaged, decide,
 from .record_formulas import formula_claims
 from .record_points import completeness_claims, point_claims
 from .record_statements import statement_claims
+from .vectors import inner, rational_point
 from .vocabulary import EVERY_D, FINITE, Weight
 
 __all__ = ["section_6_delaunay", "section_6_lattices", "section_6_values"]
@@ -107,7 +108,7 @@ def hypotenuse(printed: Constants) -> Finding:
     return decide(
         circumcentre_position(regular_simplex(2)) is not Position.INSIDE,
         EVERY_D,
-        "printed any triangle; true: any right triangle, such as this one",
+        f"printed {printed['which']}; true: any right triangle, such as this one",
         witness="the regular triangle has its circumcentre inside",
         constants={"which": "any right triangle"},
     )
@@ -116,16 +117,16 @@ def hypotenuse(printed: Constants) -> Finding:
 @claim("sec6.plan.roots", "Section 6, plan, item 1", Weight.WORDING, to_state=("thm-3", "def-16"))
 def from_theorem_3(printed: Constants) -> Finding:
     """The simplices of {families} are the fundamental simplices of the simple roots of Theorem 3."""
-    true = tuple(x for x in FAMILIES if SIGN.get(x, 1) == 1 and x != "G2")
+    true = tuple(affine_name(x) for x in FAMILIES if SIGN.get(x, 1) == 1 and x != "G2")
+    u = rational_point(exact_point("E7", "vertex", 7, 1))
+    product = inner(u, triangulation_of("E7", 7).roots.simple_roots.row(0))
     return agree(
         printed, {"families": true}, FINITE,
-        "For A~ and E~7 the printed vertices are the negatives of those of the roots, so the simplex is "
-        "the mirror "
-        "image in the origin; for G~2 it is a similar triangle in the plane.",
-        witness="for E~7 the printed u_1 has the inner product -1/2 with the simple root s_1",
-        evidence="the printed facets and vertices of each family agree with each other; no length, angle "
-        "or measure "
-        "depends on it",
+        "For A~ and E~7 the printed vertices are the negatives of those of the roots, so the simplex is the "
+        "mirror image in the origin; for G~2 it is a similar triangle in the plane.",
+        witness=f"for E~7 the printed u_1 has the inner product {product} with the simple root s_1",
+        evidence="the printed facets and vertices of each family agree with each other; no length, angle or "
+        "measure depends on it",
     )  # fmt: skip
 
 
@@ -133,7 +134,8 @@ def from_theorem_3(printed: Constants) -> Finding:
 def same_plan(printed: Constants) -> Finding:
     """The cases that follow the plan of nine items are {families}."""
     places = {s.place for s in paper().statements if ", item 3" in s.place or ", item 4" in s.place}
-    found = tuple(x for x in FAMILIES if any(p.startswith(f"Section 6, {affine_name(x)},") for p in places))
+    names = map(affine_name, FAMILIES)
+    found = tuple(x for x in names if any(p.startswith(f"Section 6, {x},") for p in places))
     return agree(
         printed, {"families": found}, FINITE, "The case of G~2 has no items and no diagram of its own."
     )

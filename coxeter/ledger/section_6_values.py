@@ -16,6 +16,7 @@ from .claim import Constants, Finding, agree, claim, corrected, holds
 from .record_formulas import doubled, judge_formula
 from .vectors import mean
 from .vocabulary import EVERY_D, FINITE, Weight, up_to
+from .wording import told
 
 LARGEST = 12
 
@@ -88,6 +89,7 @@ def barycentre(printed: Constants) -> Finding:
 
 
 @claim("sec6.A.item-5.maximum", "Section 6, A~, item 5", Weight.PROOF)
+@told
 def maximum(printed: Constants) -> Finding:
     """The squared edge is greatest for k - j = {odd} if d is odd, and for k - j = {even} if d is even."""
     proof = ("quantity", "A", "longest_edge")

@@ -9,10 +9,10 @@ from importlib import import_module
 
 from ..errors import InvalidInput
 from ..names import FAMILIES, MINIMAL_DIMENSION
-from . import all_claims, find_claim
 from .claim import CLAIMS, Claim
 from .inventory import FIGURES, PLACES, PROPOSITIONS, belongs
 from .recorded import Record, recorded
+from .rooms import all_claims, find_claim
 
 SECTIONS = ("1", "2", "3", "4", "5", "6", "A", "B", "C", "D")
 

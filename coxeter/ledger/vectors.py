@@ -6,12 +6,25 @@ from collections.abc import Iterable, Sequence
 from fractions import Fraction
 from itertools import combinations
 
+from ..exact import Exact, rational
+
 Point = tuple[Fraction, ...]
 
 
 def point(*coordinates: int | Fraction) -> Point:
     """A point with exact coordinates."""
     return tuple(Fraction(x) for x in coordinates)
+
+
+def rational_point(coordinates: Iterable[Exact]) -> Point:
+    """A point of the core, all of whose coordinates are rational.
+
+    Raises
+    ------
+    InvalidInput
+        If one is irrational.
+    """
+    return tuple(map(rational, coordinates))
 
 
 def minus(a: Point, b: Point) -> Point:

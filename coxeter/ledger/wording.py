@@ -1,4 +1,4 @@
-"""What checks have in common: how findings are worded, and what is said where no verdict is possible."""
+"""What checks have in common: how findings are worded."""
 
 from __future__ import annotations
 
@@ -10,8 +10,8 @@ from typing import Any
 from ..errors import CoxeterError
 from ..exact import Exact
 from ..families import evaluate
-from .claim import Check, Constants, Finding, cited, conjecture, same, spell
-from .vocabulary import INSTANCES, Verdict
+from .claim import Check, Constants, Finding, cited, same, spell
+from .vocabulary import Verdict
 
 
 def fits(text: object, true: str, values: Mapping[int, Exact]) -> object:
@@ -20,11 +20,6 @@ def fits(text: object, true: str, values: Mapping[int, Exact]) -> object:
         if all(evaluate(str(formula), d=d) == value for d, value in values.items()):
             return formula
     raise CoxeterError(f"{true} does not have the computed values")
-
-
-def broken(what: str) -> Finding:
-    """A tool of ours does not work: no verdict."""
-    return conjecture(f"no verdict: {what}", INSTANCES)
 
 
 def quoted(finding: Finding, source: str, tested: str) -> Finding:

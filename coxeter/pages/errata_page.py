@@ -6,10 +6,10 @@ from collections.abc import Iterable, Iterator
 
 from .corrections import printed, truth
 from .errata import Erratum
-from .judged import Judged
+from .judged import Judged, gravest
 from .markup import folded, link, links, said, table
 from .naming import Site, names_of_items
-from .pills import check, labelled, named, pill
+from .pills import check, labelled, named, plain_pill, words
 from .wording import to_html
 
 HEADS = ("Where", "Printed", "True", "Whose", "Weight")
@@ -41,7 +41,9 @@ def _body(e: Erratum, site: Site) -> str:
 def _details(e: Erratum, site: Site) -> str:
     parts = "".join(_change(members, site, told=len(e.changes) > 1) for members in e.changes)
     opener = '<span class="lg-opener">Why, and what it touches</span>'
-    summary = f"{pill(e.members, site, weighed=False)} {opener}"
+    x = gravest(e.members)
+    verdict = plain_pill(x.verdict, words(x, weighed=False))
+    summary = f"{verdict} {opener}"  # without a link: it opens what is folded
     return folded(summary, f"{parts}{''.join(_reasons(e))}{_touched(e, site)}")
 
 

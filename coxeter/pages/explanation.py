@@ -20,6 +20,16 @@ HEADINGS = {
 }
 """What the correction is in each case, if not that."""
 
+WAYS = {
+    "identity": "identity",
+    "inequality": "inequality",
+    "formulas": "formulas compared",
+    "computed": "every case computed",
+    "argument": "argument",
+    "tested": "tested",
+}
+"""How a step of a proof is known, by its kind."""
+
 MANY = 12
 """So many claims that simply hold are written out; of more only the ids are given."""
 
@@ -85,7 +95,8 @@ def _unknown(id: str) -> tuple[str, ...]:
 
 
 def _claim(claim: Claim, finding: Finding) -> str:
-    lines = [f"**{_text(claim.statement)}** — *{finding.verdict.value} · {finding.strength}* (`{claim.id}`)"]
+    verdict = f"*{finding.verdict.value} · {finding.strength}*"
+    lines = [f"**{_text(claim.statement)}** — {verdict} (`{claim.id}`, decided by `{claim.code}`)"]
     for heading, text in (
         (HEADINGS.get(finding.verdict, "Correction"), finding.correction),
         ("Witness", finding.witness),
@@ -118,7 +129,7 @@ def _new_steps(proof: Proof, shown: set[str]) -> Iterator[str]:
         text = step._repr_markdown_()
         if text not in shown:
             shown.add(text)
-            yield text
+            yield f"{text} — *{WAYS[step.kind]}*, `{step.code}`"
 
 
 def _text(words: str) -> str:

@@ -16,8 +16,8 @@ from .judged import Ledger, gravest
 from .layout import NODE, Layout, column, layout
 from .listing import section_name
 from .naming import Site, name_of_item
-from .pills import SIGNS, mark, summary
-from .wording import to_html, to_plain
+from .pills import SIGNS, count, mark, summary
+from .wording import to_html, to_plain, type_plain
 
 TONES = {
     Verdict.HOLDS: GREEN,
@@ -103,9 +103,18 @@ def _with_links(canvas: Canvas, wrapped: list[tuple[int, int, str]], graph: Depe
 
 def _opening(node: str, graph: Dependencies, site: Site) -> str:
     claims = graph.members[node]
-    told = f"{to_plain(name_of_item(node))}: {gravest(claims).verdict.value}. {summary(claims)}"
-    address = site.claim(gravest(claims).id)
-    return f'<a href="{address}" data-node="{node}" class="lg-node"><title>{html.escape(told)}</title>'
+    x = gravest(claims)
+    name = type_plain(to_plain(name_of_item(node)))
+    told = f"{name}: {x.verdict.value}. {summary(claims)}"
+    data = {
+        "node": node,
+        "name": f"{name} {short_name(node)}",
+        "verdict": x.verdict.value,
+        "strength": x.finding.strength.extent.value,
+        **({"claims": count(claims)} if len(claims) > 1 else {}),
+    }
+    about = "".join(f' data-{key}="{html.escape(value)}"' for key, value in data.items())
+    return f'<a href="{site.claim(x.id)}"{about} class="lg-node"><title>{html.escape(told)}</title>'
 
 
 # -- shapes ------------------------------------------------------------------------------------------------

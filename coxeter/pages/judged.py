@@ -108,7 +108,7 @@ class Ledger:
     def find(self, asked: str) -> tuple[Judged, ...]:
         """The claims that are asked for: ids and items, separated by commas.
 
-        An item such as ``thm-8`` stands for itself and all claims below it.
+        An item such as ``thm-8`` stands for itself and all claims below it; ``lem-9!`` is that claim alone.
 
         Raises
         ------
@@ -117,6 +117,9 @@ class Ledger:
         """
         found: dict[str, Judged] = {}
         for name in filter(None, (part.strip() for part in asked.split(","))):
+            if name.removesuffix("!") in self.by_id and name.endswith("!"):
+                found[name[:-1]] = self.by_id[name[:-1]]
+                continue
             names = {name, *(a for a, b in PROPOSITIONS.items() if b == name), PROPOSITIONS.get(name, name)}
             here = {x.id: x for x in self.all if any(belongs(x.id, n) for n in names)}
             if not here:

@@ -23,7 +23,7 @@ def numbers(ledger: Ledger, site: Site) -> str:
     """Four numbers, each a link to the page that shows what it counts."""
     found = headline(ledger)
     tiles = (
-        (found["checked"], "statements checked", "book/ledger.html"),
+        (found["checked"], "statements examined", "book/ledger.html"),
         (found["every-d"], "settled for every dimension", "book/trust.html"),
         (found["wrong"], "corrected: not true as printed", "book/errata.html"),
         (found["open"], "open", "book/ledger.html"),

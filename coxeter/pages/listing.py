@@ -2,22 +2,25 @@
 
 from __future__ import annotations
 
-import html
 import json
 from collections import Counter
 from collections.abc import Iterable, Iterator
 
 from ..ledger.reporting import score
-from ..ledger.selecting import SECTIONS, section_of
-from ..ledger.vocabulary import Extent, Verdict
+from ..ledger.selecting import SECTIONS, families_of, section_of
+from ..ledger.vocabulary import Extent, Verdict, Weight
 from ..names import FAMILIES
-from .judged import Judged, Ledger
-from .markup import MATHS, folded, link, links, row, table
+from .judged import FIRMNESS, GRAVITY, Judged, Ledger
+from .markup import MATHS, folded, link, links, row, select, table
 from .naming import Site, item_of, name_of_item, names_of_items
 from .pills import CSS_NAMES, check, count, labelled, mark, plain_pill, reason
 from .wording import statement, to_html
 
 UNNUMBERED = tuple(f"sec{section}" for section in SECTIONS)
+HINT = "What is asked stands in the address of the page, which can be kept or sent."
+SORTS = ("verdict", "strength", "weight")
+"""By what the rows can be sorted; the script takes the order of the values in the field of that name."""
+
 LAZY = "lg-tex"
 """The class of formulas that are set when they come into view: there are thousands of them."""
 
@@ -76,25 +79,21 @@ def listing(ledger: Ledger, site: Site) -> str:
 
 def _controls(ledger: Ledger) -> str:
     """Shown by the script that needs them."""
+    families = {name for x in ledger for name in families_of(x.claim)}
     asked = {
-        "verdict": dict.fromkeys(v.value for v in Verdict if any(x.verdict is v for x in ledger)),
-        "strength": dict.fromkeys(
-            e.value for e in Extent if any(x.finding.strength.extent is e for x in ledger)
-        ),
-        "weight": dict.fromkeys(x.claim.weight.value for x in ledger),
+        "verdict": [v.value for v in GRAVITY if any(x.verdict is v for x in ledger)],
+        "strength": [e.value for e in FIRMNESS if any(x.finding.strength.extent is e for x in ledger)],
+        "weight": [w.value for w in Weight if any(x.claim.weight is w for x in ledger)],
+        "section": map(section_name, by_section(ledger)),
+        "family": [name for name in FAMILIES if name in families],
     }
-    selects = "".join(_select(name, values) for name, values in asked.items())
-    search = '<input type="search" name="text" placeholder="words or an id" autocomplete="off">'
+    selects = "".join(select(name, values) for name, values in asked.items())
+    search = '<input type="search" name="q" placeholder="words or an id" autocomplete="off">'
     return (
         f'<form class="lg-controls" role="search" aria-label="Claims" hidden><label>Search {search}</label>'
-        f'{selects}<button type="reset">Show all</button><output aria-live="polite"></output></form>'
+        f'{selects}{select("sort", SORTS, "paper order")}<button type="reset">Show all</button>'
+        f'<output aria-live="polite"></output><p class="lg-quiet">{HINT}</p></form>'
     )
-
-
-def _select(name: str, values: Iterable[str]) -> str:
-    options = "".join(f"<option>{html.escape(value)}</option>" for value in values)
-    select = f'<select name="{name}"><option value="">any</option>{options}</select>'
-    return f"<label>{name.capitalize()} {select}</label>"
 
 
 def _group(section: str, claims: tuple[Judged, ...], seen: set[str], ledger: Ledger, site: Site) -> str:
@@ -140,8 +139,9 @@ def _row(x: Judged, ledger: Ledger, site: Site) -> str:
         "verdict": x.verdict.value,
         "strength": x.finding.strength.extent.value,
         "weight": x.claim.weight.value,
+        "family": " ".join(sorted(families_of(x.claim))),
     }
-    attributes = "".join(f' data-{name}="{value}"' for name, value in data.items())
+    attributes = "".join(f' data-{name}="{value}"' for name, value in data.items() if value)
     return (
         f'<article class="lg-claim" id="claim-{x.id}"{attributes}>'
         f'<p class="lg-head"><a class="lg-id" href="#claim-{x.id}">{x.id}</a> {mark(x)}</p>'

@@ -55,3 +55,10 @@ def folded(summary: str, inner: str, kind: str = "") -> str:
 def said(label: str, text: str) -> str:
     """A paragraph that begins with a word in bold."""
     return f"<p><strong>{label}:</strong> {text}</p>"
+
+
+def select(name: str, values: Iterable[str], first: str = "any") -> str:
+    """A field of a form with something to choose from; nothing is chosen at first."""
+    options = "".join(f"<option>{html.escape(value)}</option>" for value in values)
+    choice = f'<select name="{name}"><option value="">{first}</option>{options}</select>'
+    return f"<label>{name.capitalize()} {choice}</label>"

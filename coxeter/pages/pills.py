@@ -43,8 +43,9 @@ def pill(claims: Sequence[Judged], site: Site, weighed: bool = True) -> str:
     x = gravest(claims)
     title = html.escape(summary(claims), quote=True)
     name = html.escape(f"{name_of(x.id)}: {words(x)}", quote=True)
+    several = f' data-claims="{html.escape(count(claims))}"' if len(claims) > 1 else ""
     return (
-        f'<a class="lg-pill lg-{CSS_NAMES[x.verdict]}" href="{site.claim(x.id)}" title="{title}" '
+        f'<a class="lg-pill lg-{CSS_NAMES[x.verdict]}" href="{site.claim(x.id)}" title="{title}"{several} '
         f'aria-label="{name}">{signed(x.verdict, words(x, weighed))}</a>'
     )
 

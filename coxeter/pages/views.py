@@ -5,21 +5,30 @@ from __future__ import annotations
 import html
 from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass
-from functools import cached_property, lru_cache
+from functools import cached_property, lru_cache, partial
 
 from ..errors import InvalidInput
+from ..scenes import scene
 from . import errata_files, landing, listing
+from .choosing import CHOICES
 from .corrected import Sheet, sheets
 from .corrected_page import sheet_html
 from .errata import GROUPS, Erratum, errata
 from .errata_page import errata_table
+from .explorer import explorer
 from .graph import drawing, in_words
+from .graph_page import graph_page
 from .judged import Ledger
-from .markup import downloads, scroll
+from .markup import downloads
 from .naming import Site
+from .qualities import as_csv
 from .trust import rates, trust
 
 _sheets = lru_cache(maxsize=1)(sheets)
+
+
+def _scene(name: str) -> str:
+    return scene(name)._repr_html_()
 
 
 @dataclass(frozen=True, eq=False, repr=False)
@@ -58,16 +67,22 @@ class Views:
         def sheet(made: Sheet) -> Callable[[], str]:
             return lambda: sheet_html(made, self.ledger, self.errata, site)
 
+        def choice(make: Callable[[Ledger, Site], str]) -> Callable[[], str]:
+            return lambda: make(self.ledger, site)
+
         return {
             "summary": lambda: listing.summary_table(self.ledger),
             "listing": lambda: listing.listing(self.ledger, site),
-            "graph": lambda: scroll(drawing(self.ledger, site), "The graph"),
+            "graph": lambda: graph_page(self.ledger, site),
             "dependencies": lambda: in_words(self.ledger, site),
             "trust": lambda: trust(lines, self.ledger, site),
             "rates": rates,
             "tilings": landing.tilings,
             "numbers": lambda: landing.numbers(self.ledger, site),
+            **{f"scene {name}": partial(_scene, name) for name in ("A~3", "B~3", "C~3")},
+            "explorer": lambda: explorer(self.ledger, site),
             "files": lambda: self._links(lines, site),
+            **{f"choice {name}": choice(make) for name, make in CHOICES.items()},
             **{f"errata {name}": group(name) for name in GROUPS},
             **{f"table {made.number}": sheet(made) for made in _sheets()},
         }
@@ -90,6 +105,7 @@ class Views:
             "errata.csv": errata_files.as_csv(self.errata),
             "errata.tex": errata_files.as_latex(self.errata, len(self.ledger)),
             "ledger.json": listing.as_json(self.ledger),
+            "qualities.csv": as_csv(),
             "dependencies.svg": drawing(self.ledger, Site("../")) + "\n",
             **{
                 f"table-{made.number}.{end}": made.render(format) + "\n"

@@ -185,3 +185,18 @@ def type_html(name: str) -> str:
 def to_plain(text: str) -> str:
     """A text for a title attribute: as it was written, without dollar signs."""
     return text.replace("$", "")
+
+
+def type_plain(text: str) -> str:
+    """The names of types in a text, written with one tilde above the letter.
+
+    >>> type_plain("A~, item 7; E~6 and A~_{d}")
+    'A\u0303, item 7; E\u03036 and A\u0303_d'
+    """
+
+    def put(match: re.Match[str]) -> str:
+        index = match[2] or match[3] or ""
+        between = "_" if index and not index.isdigit() else ""
+        return f"{match[1]}\N{COMBINING TILDE}{between}{index}"
+
+    return TYPE.sub(put, text)

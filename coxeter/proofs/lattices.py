@@ -121,9 +121,12 @@ def proposition_9() -> Proof:
             "a long root is twice its coroot", r"\langle 2e_k, 2e_k\rangle", square(runs(*LONG), each), "4",
             each,
         ),
-        identity(
-            "the others are their own coroots", r"\langle e_j \pm e_k, e_j \pm e_k\rangle",
-            square(runs(*PLUS), pairs), "2", pairs,
+        (
+            identity(
+                "the others are their own coroots", rf"\langle e_j {sign} e_k, e_j {sign} e_k\rangle",
+                square(runs(*root), pairs), "2", pairs,
+            )
+            for sign, root in (("+", PLUS), ("-", MINUS))
         ),
         argument(
             r"So coroots are integer vectors, and for $x \in (\tfrac12\mathbb{Z})^d$ the products with "

@@ -2,12 +2,13 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Callable, Iterator
 from functools import lru_cache, partial
 
 from ..errors import InvalidInput
 from ..exact import Exact, Surd
 from ..families import Piece, closed_form
+from ..families.forms import LENGTHS
 from ..names import MINIMAL_DIMENSION
 from ..quality import find_measure
 from ..simplex import regular_simplex
@@ -27,15 +28,16 @@ DEFINITIONS = {
 """Definition 18, as formulas of the lengths and in LaTeX."""
 
 SYMBOLS = {"aspect_ratio": r"\alpha", "fatness": r"\Theta", "thickness": r"\theta", "radius_ratio": r"\rho"}
-LENGTHS = {
+BY_ONE_FORMULA: dict[str, Callable[[str, str], Proof]] = {
     "minimal_height": minimal_height,
-    "longest_edge": longest_edge,
     "inradius": inradius,
     "circumradius": circumradius,
     "volume": volume,
 }
+"""The lengths, and the volume, whose general formula is proved at once; the longest edge has several."""
 
 
+@lru_cache(maxsize=256)
 def quantity(letter: str, name: str, claimed: tuple[Piece, ...] | None = None) -> Proof:
     """A quantity of a family for every d, whichever of the library's closed forms it has.
 
@@ -87,7 +89,7 @@ def _length(letter: str, name: str, pieces: tuple[Piece, ...]) -> Proof:
     if name == "longest_edge":
         return longest_edge(letter, pieces)
     general = next(piece for piece in pieces if piece.high is None)
-    proof: Proof = LENGTHS[name](letter, general.text)  # type: ignore[operator]
+    proof = BY_ONE_FORMULA[name](letter, general.text)
     words = f"the {name.replace('_', ' ')}"
     others = [
         in_dimension(words, "x", form(letter, name), piece.text, d, partial(_length_of, letter, name))

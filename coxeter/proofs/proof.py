@@ -6,8 +6,10 @@ decided. `Refuted` and `coxeter.symbolic.Undecided` are different answers.
 
 from __future__ import annotations
 
+import sys
 from collections.abc import Callable, Iterable
 from dataclasses import dataclass, field
+from functools import lru_cache
 
 from ..errors import CoxeterError, Undecided
 from ..exact import Exact, surd
@@ -27,6 +29,15 @@ class ReplayFailed(CoxeterError):
     """A step that was decided for every d does not agree with the core on numbers."""
 
 
+def _asker() -> str:
+    """The function outside this module for which a step is made, by its dotted name."""
+    frame = sys._getframe(1)
+    while frame.f_back and frame.f_globals.get("__name__") == __name__:
+        frame = frame.f_back
+    function = frame.f_code.co_qualname.partition(".<locals>")[0]
+    return f"{frame.f_globals.get('__name__')}.{function}"
+
+
 @dataclass(frozen=True)
 class Step:
     """A step of a proof.
@@ -44,6 +55,8 @@ class Step:
         In LaTeX: for which letters.
     reduced
         In LaTeX: the form in which the computation saw that it is true.
+    code
+        The function that has the step decided.
     """
 
     kind: str
@@ -52,6 +65,7 @@ class Step:
     range: str = ""
     reduced: str = ""
     check: Callable[[int], int] | None = field(default=None, compare=False, repr=False)
+    code: str = field(default_factory=_asker, compare=False, repr=False)
 
     def replay(self, largest: int) -> int:
         """Try the step on all numbers up to a dimension; returns how many there were."""
@@ -266,6 +280,7 @@ def _spell(letters: dict[str, int]) -> str:
     return ", ".join(f"{name} = {n}" for name, n in letters.items())
 
 
+@lru_cache(maxsize=1024)
 def latex(text: str) -> str:
     """A formula in LaTeX."""
     import sympy

@@ -49,9 +49,11 @@ def vertices(letter: str) -> Proof:
         rf"for every $d \geq {family.first}$ the walls $\langle x, s_j\rangle = 0$ and "
         rf"$\langle x, \tilde s\rangle = 1$ of $\tilde{{{letter}}}_d$ meet in $u_0, \dots, u_d$",
         _dominant(family),
+        roots_squared(letter),
         argument(
-            r"The root $\tilde s$ has a non-negative product with each simple root and is as long as any "
-            "root: a dominant long root is the highest root"
+            r"The root $\tilde s$ has a non-negative product with each simple root, and no simple root is "
+            "longer. Each root is the image of a simple one under the Weyl group, so none is longer: a "
+            "dominant long root is the highest root"
         ),
         (level(family, pair) for pair in family.pairs()),
         argument(

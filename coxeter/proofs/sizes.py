@@ -71,14 +71,14 @@ def _longest(family: Classical, text: str, low: int) -> Iterator[Step]:
 
 def _no_longer(family: Classical, pair: Pair, low: int) -> Step:
     range_ = pair.range
-    if not range_.nonnegative(f"d - {low}"):  # an exceptional first d: cut it off
+    if not range_.nonnegative(f"d - {low}"):  # an exceptional first d: cut it off, also for the replay
         range_ = case(range_.text.replace(f"{family.first} <= d", f"{low} <= d"), low)
     value = range_("d/4") - squared_distance(*pair.vertices(), range_)
 
     def core(**letters: int) -> Exact:
         squares = the_simplex(family.letter, letters["d"]).squared_edge_lengths
         j, k = node(pair.j, **letters), node(pair.k, **letters)
-        return (squares[0, letters["d"]] - squares[j, k]) if letters["d"] >= low else Surd(0)
+        return squares[0, letters["d"]] - squares[j, k]
 
     return inequality(
         f"the edge from $u_{{{pair.j}}}$ to $u_{{{pair.k}}}$ is no longer",
@@ -168,12 +168,9 @@ def determinants(letter: str) -> Iterator[Step]:
 def _path(letter: str) -> Iterator[Step]:
     """The inner products of simple roots: the path, and what hangs at its end."""
     step = FAMILIES["A"].nodes[1].root if letter == "A" else FAMILIES["C"].nodes[1].root
-    last = "d" if letter == "A" else "d - 1"
+    before_last, last = ("d - 1", "d") if letter == "A" else ("d - 2", "d - 1")
     first, second, third = (vector(step, index) for index in ("j", "k", "(k + 1)"))
-    near, far = (
-        case(f"1 <= k <= {last} - 1".replace("d - 1 - 1", "d - 2"), 3),
-        case(f"1 <= j < m < k <= {last}", 3),
-    )
+    near, far = case(f"1 <= k <= {before_last}", 3), case(f"1 <= j < m < k <= {last}", 3)
     yield identity(
         "neighbours on the path", r"\langle s_k, s_{k+1}\rangle", inner(second, third, near), "-1", near
     )
@@ -190,7 +187,11 @@ def _path(letter: str) -> Iterator[Step]:
         yield identity("and its twin", r"\langle s_{d-1}, s_d\rangle", value, "0", whole)
     rest = case(f"1 <= k < m <= {joined}", 3)
     yield identity(
-        "the others do not meet it", r"\langle s_k, s_d\rangle", inner(second, runs(*end), rest), "0", rest
+        "the others are orthogonal to it",
+        r"\langle s_k, s_d\rangle",
+        inner(second, runs(*end), rest),
+        "0",
+        rest,
     )
 
 

@@ -25,7 +25,8 @@ from .polynomials import (
 )
 
 Values = tuple[Rational, ...]
-I = SYMBOLS["i"]  # noqa: E741
+NUMBER = SYMBOLS["i"]
+"""The number of a coordinate."""
 
 
 @dataclass(frozen=True)
@@ -162,7 +163,7 @@ def total_of(vectors: Sequence[RunVector], case: Case, summand: Callable[[Values
 def _sum(x: Rational, start: Rational, end: Rational) -> Rational:
     """The sum of x over i = start + 1 … end: a polynomial in i, summed power by power."""
     powers: dict[int, Rational] = {}
-    position = x.field.gens.index(I)
+    position = x.field.gens.index(NUMBER)
     if "i" in letters_of(FIELD(x.denom)) or max((m[position] for m in x.numer.monoms()), default=0) > 4:
         raise Undecided(f"there is no closed form here for the sum of {x} over i")
     for monomial, coefficient in x.numer.terms():
