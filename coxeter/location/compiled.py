@@ -12,10 +12,11 @@ from .folding import ROUNDING
 if TYPE_CHECKING:
     from .locating import Locator
 
+kernels: Any
 try:
     from . import kernels
 except ImportError:  # no Numba: the same answers from NumPy alone
-    kernels = None  # type: ignore[assignment]
+    kernels = None
 
 
 def fold_compiled(locator: Locator, points: Any, lengths: Any) -> tuple[Any, Any, Any] | None:
@@ -24,7 +25,8 @@ def fold_compiled(locator: Locator, points: Any, lengths: Any) -> tuple[Any, Any
     Parameters
     ----------
     points
-        In the coordinates of the roots; or, if lengths are given, points of R^d that Helmert's matrix carries there.
+        In the coordinates of the roots; or, if lengths are given, points of R^d that Helmert's matrix carries
+        there.
     lengths
         Those of the rows of Helmert's matrix, or None.
     """

@@ -13,8 +13,8 @@ from .subgroups import Subgroup
 def barycentric(subgroup: Subgroup, points: NDArray[Any], unit: Any) -> NDArray[Any]:
     """The barycentric coordinates of folded points (n, m), times the unit, shape (n, d + 1).
 
-    Coordinate k is the level of wall k times the mark m_k. For the classical families the levels are differences
-    of neighbouring coordinates, but at the ends of the diagram.
+    Coordinate k is the level of wall k times the mark m_k. For the classical families the levels are, but at
+    the ends of the diagram, differences of neighbouring coordinates.
     """
     letter, d = subgroup.triangulation.type.letter, subgroup.triangulation.dimension
     if letter not in "ABCD":

@@ -1,12 +1,12 @@
 """Folding many points at once into the fundamental simplex, by rounding and sorting.
 
-One code for floats, with unit 1, and for exact integers, in which a unit is any multiple of 12: the coordinates
-of all images are then integers too. Each step is kept, so that it can be undone on other points: what folds a point
-carries the fundamental simplex back onto the simplex that holds the point.
+One code for floats, with unit 1, and for exact integers, in which a unit is any multiple of 12: then the
+coordinates of all images are integers too. Each step is kept, so that it can be undone on other points: what
+folds a point carries the fundamental simplex back onto the simplex that holds the point.
 
-Points on walls. For the classical families a point belongs to the simplex that holds x + (ε, ε², …) for all small
-ε > 0, in the coordinates of the roots. For the others the step by the subgroup follows that rule, and a wall that is
-left is not crossed by a point on it.
+Points on walls. For the classical families a point belongs to the simplex that holds x + (ε, ε², …) for all
+small ε > 0, in the coordinates of the roots. For the others the step by the subgroup follows that rule, and a
+wall that is left is not crossed by a point on it.
 """
 
 from __future__ import annotations
@@ -70,7 +70,8 @@ class Shift:
 
     def undo(self, points: Points, unit: Any) -> Points:
         """Carry points (n, j, m) back."""
-        return points + self.vectors[:, None, :] * unit // 2
+        moved: Points = points + self.vectors[:, None, :] * unit // 2
+        return moved
 
 
 @dataclass
@@ -136,7 +137,7 @@ def _sort_some(subgroup: Subgroup, folded: Folded, active: NDArray[np.intp]) -> 
 
 
 def _sort_plain(y: Points, unit: Any, _: str) -> tuple[Points, NDArray[np.intp], Points, None]:
-    """The affine symmetric group: floors, the order of what is left, and turning so that the lattice is met."""
+    """The affine symmetric group: floors, the order of what is left, and turning until the lattice is met."""
     c = y.shape[1]
     shift = _floor(y, unit)
     rest = y - shift * unit
@@ -154,7 +155,7 @@ def _sort_plain(y: Points, unit: Any, _: str) -> tuple[Points, NDArray[np.intp],
 def _sort_signed(
     y: Points, unit: Any, kind: str
 ) -> tuple[Points, NDArray[np.intp], Points, NDArray[np.int64]]:
-    """Signed permutations: nearest integers, signs, sizes; for B and D the sum of the integers is made even."""
+    """Signed permutations: nearest integers, signs, sizes; for B and D the integers get an even sum."""
     c = y.shape[1]
     shift = _floor(2 * y + unit, 2 * unit)
     rest = y - shift * unit
@@ -207,7 +208,8 @@ def _is_float(points: Points) -> bool:
 
 
 def _floor(points: Points, unit: Any) -> Points:
-    return np.floor(points / unit) if _is_float(points) else points // unit
+    floors: Points = np.floor(points / unit) if _is_float(points) else points // unit
+    return floors
 
 
 def _whole(numbers: Points) -> Points:

@@ -18,8 +18,8 @@ Floats = NDArray[np.float64]
 class Frame:
     """x = offset + scale · rotation · E(z), with an isometry E from the span of the roots onto R^d.
 
-    E is the identity where roots have d coordinates. For A~d, whose roots have the sum 0 in d + 1 coordinates,
-    it is Helmert's matrix, which costs no more than d steps; for E6, E7 and G2 an orthonormal basis, by the QR
+    E is the identity where roots have d coordinates. For A~d, whose roots have d + 1 coordinates with sum 0,
+    it is Helmert's matrix, which costs about d steps; for E6, E7 and G2 an orthonormal basis, by the QR
     decomposition of the simple roots.
     """
 
@@ -97,7 +97,7 @@ class Frame:
 
 
 def from_helmert(points: Floats, lengths: Floats) -> Floats:
-    """Points of R^d in the d + 1 coordinates of the roots of A~d; from the last to the first, as the compiled code."""
+    """Points of R^d in the d + 1 coordinates of the roots of A~d."""
     shares = points / lengths
     z = np.zeros((*points.shape[:-1], points.shape[-1] + 1))
     z[..., :-1] = np.cumsum(shares[..., ::-1], axis=-1)[..., ::-1]

@@ -32,14 +32,14 @@ class Location:
         Where.
     keys
         For each point a row of integers, equal for two points exactly when the simplices are; ``tuple(row)``
-        can be hashed. The row is the simplex's centre of weights m_0, ..., m_d in the coordinates of the roots,
-        times `Grid.key_unit`.
+        can be hashed. The row is the simplex's centre of weights m_0, ..., m_d in the coordinates of the
+        roots, times `Grid.key_unit`.
     barycentric
-        Barycentric coordinates, shape (n, d + 1): column k belongs to the vertex with label k. Floats that are
-        not negative and sum to one, or exact fractions if the points were exact.
+        Barycentric coordinates, shape (n, d + 1): column k belongs to the vertex with label k. Floats that
+        are not negative and sum to one, or exact fractions if the points were exact.
     open
-        For each point, whether rounding leaves the answer open: the point is so close to a wall that it may lie
-        in a neighbour.
+        For each point, whether rounding leaves the answer open: the point is so close to a wall that it may
+        lie in a neighbour.
     """
 
     grid: Grid
@@ -120,7 +120,8 @@ class Grid:
         """The centre of weights m_k of the fundamental simplex, times the unit: it has the levels 1 / h."""
         t = self.triangulation
         total = t.roots.fundamental_coweights
-        return 12 * total.numerators.astype(np.int64).sum(axis=0) // total.denominator
+        centre: Ints = 12 * total.numerators.astype(np.int64).sum(axis=0) // total.denominator
+        return centre
 
     @cached_property
     def _vertex_unit(self) -> int:
@@ -150,8 +151,8 @@ class Grid:
         Raises
         ------
         InvalidInput
-            If the shape is wrong, a number is not finite, or so large that floats no longer tell the simplices
-            apart.
+            If the shape is wrong, a number is not finite, or so large that floats no longer tell the
+            simplices apart.
         """
         d, m = self.dimension, self._subgroup.ambient
         array = read(points, self.frame, (d, m))
@@ -175,8 +176,8 @@ class Grid:
         d, m = self.dimension, self._subgroup.ambient
         if array.shape[1] == d and not self.frame.standard:
             raise InvalidInput(
-                f"exact points need the coordinates of the roots, {m} of them, in a grid without scale, rotation "
-                f"and offset; {array.shape[1]} were given: give floats instead"
+                f"exact points need the coordinates of the roots, {m} of them, in a grid without scale, "
+                f"rotation and offset; {array.shape[1]} were given: give floats instead"
             )
         numerators, denominator = over_common_denominator(array)
         self._in_span(numerators)
@@ -229,7 +230,7 @@ class Grid:
         )
 
     def neighbours(self, keys: Ints) -> Ints:
-        """The keys (n, d + 1, ·) of the simplices across the facets; number k shares all vertices but label k."""
+        """The keys (n, d + 1, ·) of the simplices across the facets; number k shares all vertices but one."""
         folded = fold(self._subgroup, self._known(keys), self.key_unit)
         images = [
             self._subgroup.wall(k).reflect(self._centre, self.key_unit) for k in range(self.dimension + 1)

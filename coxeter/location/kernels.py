@@ -1,7 +1,7 @@
-"""The same folding, compiled by Numba, point by point: the same keys, and coordinates that differ in no more than
-the last bits of a sum.
+"""The same folding, compiled by Numba, point by point: the same keys, and coordinates that differ in no more
+than the last bits of a sum.
 
-Numba is optional; without it `folding` does all the work. Kinds are numbers here: 0 is A, 1 is B, 2 is C, 3 is D.
+Numba is optional; without it `folding` does all the work. Kinds are numbers here: A, B, C, D are 0, 1, 2, 3.
 """
 
 from __future__ import annotations
@@ -19,7 +19,7 @@ STEPS = 64
 
 @njit(cache=True, inline="always")
 def rank_plain(order: Any, sizes: Any, n: int) -> None:
-    """Indices by sizes, the greatest first, equal ones in order: each counts those before it, without branches."""
+    """Indices by sizes, the greatest first, equal ones in order: each counts those before it, branchless."""
     for i in range(n):
         size, before = sizes[i], 0
         for j in range(i):
@@ -66,7 +66,7 @@ def fold_plain(z: Any, m: int, rest: Any, turned: Any, shift: Any, order: Any, x
 def fold_signed(
     z: Any, d: int, kind: int, rest: Any, sizes: Any, ties: Any, shift: Any, order: Any, x: Any
 ) -> None:
-    """Nearest integers, signs, sizes; x is the result, sorted, and `ties` ends as the signs, in this order."""
+    """Nearest integers, signs, sizes; x is the result, sorted, and `ties` ends as the signs in this order."""
     odd = 0
     for i in range(d):
         nearest = np.floor((2.0 * z[i] + 1.0) / 2.0)
@@ -169,8 +169,8 @@ def locate_by_mirrors(
 ) -> int:
     """E6, E7, E8, F4, G2: sorting by the subgroup, and reflections in the walls that are left, in turn.
 
-    `normals` and `offsets` are those of all walls, doubled where they have halves; a reflection adds level times
-    factor over divisor. Returns the number of points for which there was no room for all steps.
+    `normals` and `offsets` are those of all walls, doubled where they have halves; a reflection subtracts
+    level times factor over divisor. Returns the number of points for which there was no room for all steps.
     """
     n, m = points.shape
     c, d = len(columns), len(marks) - 1
@@ -254,7 +254,7 @@ def locate_by_mirrors(
 
 @njit(cache=True)
 def settle(shares: Any, sizes: Any, factor: float, near: Any) -> None:
-    """Barycentric coordinates without what rounding left below zero, and which are too close to zero to tell."""
+    """Barycentric coordinates without what rounding left below zero; which points are too close to tell."""
     n, m = shares.shape
     for p in range(n):
         least, total = 1.0, 0.0

@@ -19,9 +19,9 @@ from .subgroups import Ints, Subgroup
 
 Floats = NDArray[np.float64]
 LARGEST = 2.0**40
-"""Coordinates, in units of the fundamental simplex, up to which floats are taken: 12 bits are left within one."""
+"""Coordinates of the roots up to which floats are taken: 12 bits are left below the unit."""
 CHUNK = 1 << 14
-"""So many points at a time are held in intermediate arrays, which then stay in the processor's cache."""
+"""So many points at a time are held in intermediate arrays, which then stay in the cache."""
 
 
 @dataclass(frozen=True)
@@ -42,7 +42,7 @@ class Locator:
     key_unit: int
 
     def rounded(self, z: Floats, lengths: Floats | None = None, compiled: bool = True) -> Found:
-        """For floats (n, m); or (n, d), in Helmert's coordinates of A~d, if the lengths of his rows are given."""
+        """For floats (n, m); or (n, d), in Helmert's coordinates of A~d, if his lengths are given."""
         factor = len(self.centre) * max(self.subgroup.triangulation.marks) * 2.0**-48
         made = fold_compiled(self, z, lengths) if compiled else None
         if made:
@@ -75,7 +75,7 @@ class Locator:
 
 
 def settle(shares: Floats, bounds: Floats) -> tuple[Floats, NDArray[np.bool_]]:
-    """Barycentric coordinates without what rounding left below zero, and which are too close to zero to tell."""
+    """Barycentric coordinates without what rounding left below zero; which points are too close to tell."""
     near = shares.min(axis=1, initial=1.0) <= bounds
     np.maximum(shares, 0.0, out=shares)
     shares /= shares.sum(axis=1, keepdims=True)
@@ -136,6 +136,6 @@ def check_size(sizes: Floats) -> None:
     largest = float(sizes.max(initial=0.0))
     if largest > LARGEST:
         raise InvalidInput(
-            f"a coordinate is {largest:g} times the size of the simplices: floats do not tell them apart there; "
+            f"a coordinate is {largest:g} in units of the roots: floats do not tell simplices apart there; "
             f"give exact numbers, or stay below {LARGEST:g}"
         )

@@ -1,8 +1,8 @@
 """The reflection subgroup that sorting takes care of, and the walls that it leaves.
 
 Each affine Weyl group contains one of a classical type, in the coordinates of the roots, whose fundamental
-simplex holds that of the whole group. Folding by the subgroup is rounding and sorting. The fundamental simplex of
-the whole group is then cut out by few more walls: none for the classical families, one or two for the others.
+simplex holds that of the whole group. Folding by the subgroup is rounding and sorting. Few more walls cut out
+the fundamental simplex of the whole group: none for the classical families, one or two for the others.
 
 =========  ==============  ==============================================
 family     subgroup        walls left (nodes)
@@ -15,8 +15,8 @@ F4         B4              4
 G2         A2              0, 2
 =========  ==============  ==============================================
 
-Conway and Sloane, *Sphere Packings, Lattices and Groups*, chapters 4, 20 and 21; Humphreys, *Reflection Groups
-and Coxeter Groups*, 4.3 to 4.5.
+Conway and Sloane, *Sphere Packings, Lattices and Groups*, chapters 4, 20 and 21; Humphreys, *Reflection
+Groups and Coxeter Groups*, 4.3 to 4.5.
 """
 
 from __future__ import annotations
@@ -111,10 +111,8 @@ class Wall:
 
     def level(self, points: NDArray[Any], unit: Any) -> NDArray[Any]:
         """<x, normal> - offset for points (..., m): not negative on the side of the simplex."""
-        level = -self.offset * unit
-        for i in np.flatnonzero(
-            self.normal
-        ):  # one after the other, so that floats round as in the compiled code
+        level = np.full(points.shape[:-1], -self.offset * unit)
+        for i in np.flatnonzero(self.normal):  # in order, so that floats round as in the compiled code
             level = level + points[..., i] * self.normal[i]
         return level
 
