@@ -1,0 +1,141 @@
+"""From an array of points to the simplices that hold them: exactly where that can be, else with a bound."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from fractions import Fraction
+from math import lcm
+from typing import Any
+
+import numpy as np
+from numpy.typing import ArrayLike, NDArray
+
+from ..errors import InvalidInput
+from .compiled import fold_compiled, settle_compiled
+from .coordinates import barycentric
+from .folding import fold
+from .frames import Frame, from_helmert
+from .subgroups import Ints, Subgroup
+
+Floats = NDArray[np.float64]
+LARGEST = 2.0**40
+"""Coordinates of the roots up to which floats are taken: 12 bits are left below the unit."""
+CHUNK = 1 << 14
+"""So many points at a time are held in intermediate arrays, which then stay in the cache."""
+
+
+@dataclass(frozen=True)
+class Found:
+    """Keys, barycentric coordinates, and whether rounding leaves the answer open."""
+
+    keys: Ints
+    barycentric: NDArray[Any]
+    open: NDArray[np.bool_]
+
+
+@dataclass(frozen=True, eq=False)
+class Locator:
+    """Locates points given in the coordinates of the roots."""
+
+    subgroup: Subgroup
+    centre: Ints
+    key_unit: int
+
+    def rounded(self, z: Floats, lengths: Floats | None = None, compiled: bool = True) -> Found:
+        """For floats (n, m); or (n, d), in Helmert's coordinates of A~d, if his lengths are given."""
+        factor = len(self.centre) * max(self.subgroup.triangulation.marks) * 2.0**-48
+        made = fold_compiled(self, z, lengths) if compiled else None
+        if made:
+            keys, shares, sizes = made
+            check_size(sizes)
+            return Found(keys, shares, settle_compiled(shares, sizes, factor))
+        if lengths is not None:
+            z = from_helmert(z, lengths)
+        sizes = np.abs(z).max(axis=1, initial=1.0)
+        check_size(sizes)
+        folded = fold(self.subgroup, z, 1.0)
+        shares = barycentric(self.subgroup, folded.points, 1.0)
+        return Found(self.keys(folded, len(z)), *settle(shares, sizes * factor))
+
+    def keys(self, folded: Any, n: int) -> Ints:
+        """The images of the centre."""
+        images: Ints = folded.undo(np.broadcast_to(self.centre, (n, 1, len(self.centre))), self.key_unit)[
+            :, 0
+        ]
+        return images
+
+    def exact(self, numerators: NDArray[Any], denominator: int) -> Found:
+        """For integers (n, m) over a common denominator."""
+        unit = 12 * denominator
+        folded = fold(self.subgroup, 12 * numerators, unit)
+        shares = barycentric(self.subgroup, folded.points, unit)
+        keys = self.keys(folded, len(numerators))
+        fractions = np.frompyfunc(lambda x: Fraction(int(x), unit), 1, 1)(shares)
+        return Found(keys, np.asarray(fractions, dtype=object), np.zeros(len(keys), dtype=bool))
+
+
+def settle(shares: Floats, bounds: Floats) -> tuple[Floats, NDArray[np.bool_]]:
+    """Barycentric coordinates without what rounding left below zero; which points are too close to tell."""
+    near = shares.min(axis=1, initial=1.0) <= bounds
+    np.maximum(shares, 0.0, out=shares)
+    shares /= shares.sum(axis=1, keepdims=True)
+    return shares, near
+
+
+# -- reading ------------------------------------------------------------------------------------------------
+
+
+def read(points: ArrayLike, frame: Frame, columns: tuple[int, int]) -> NDArray[Any]:
+    """Points as a float array (n, d), or as an object array of exact numbers.
+
+    Raises
+    ------
+    InvalidInput
+        If the shape is wrong, or something is no finite number.
+    """
+    array = np.asarray(points)
+    d, m = columns
+    if array.size == 0 and array.ndim < 2:
+        array = np.empty((0, d))
+    if array.ndim != 2 or array.shape[1] not in columns:
+        also = f" (or {m}, in the coordinates of the roots)" if m != d else ""
+        raise InvalidInput(
+            f"points of shape {array.shape} were given: expected (n, {d}){also}, a row for each point"
+        )
+    if array.dtype.kind == "O":
+        return _exact(array)
+    if array.dtype.kind in "iu":
+        return array.astype(object) if frame.standard or array.shape[1] != d else array.astype(np.float64)
+    if array.dtype.kind != "f":
+        raise InvalidInput(f"an array of {array.dtype} was given: points are floats, integers or fractions")
+    array = array.astype(np.float64, copy=False)
+    if not np.isfinite(array).all():
+        row = int(np.flatnonzero(~np.isfinite(array).all(axis=1))[0])
+        raise InvalidInput(f"row {row} is {array[row].tolist()}: all coordinates must be finite")
+    return array
+
+
+def _exact(array: NDArray[Any]) -> NDArray[Any]:
+    for x in array.flat:
+        if isinstance(x, bool) or not isinstance(x, (int, Fraction, np.integer)):
+            raise InvalidInput(f"{x!r} is neither an integer nor a fraction: mixed arrays are not read")
+    return array
+
+
+def over_common_denominator(array: NDArray[Any]) -> tuple[NDArray[Any], int]:
+    """Exact numbers as integers over one denominator; int64 where they fit with room to spare."""
+    denominator = lcm(1, *{int(getattr(x, "denominator", 1)) for x in array.flat})
+    numerators = np.frompyfunc(lambda x: int(x * denominator), 1, 1)(array)
+    largest = max((abs(x) for x in numerators.flat), default=0)
+    fits = max(largest, denominator) < 2**40
+    return np.asarray(numerators, dtype=np.int64 if fits else object), denominator
+
+
+def check_size(sizes: Floats) -> None:
+    """Refuse coordinates so large that floats no longer tell simplices apart."""
+    largest = float(sizes.max(initial=0.0))
+    if largest > LARGEST:
+        raise InvalidInput(
+            f"a coordinate is {largest:g} in units of the roots: floats do not tell simplices apart there; "
+            f"give exact numbers, or stay below {LARGEST:g}"
+        )
