@@ -293,7 +293,7 @@ def test_a_view_of_the_ledger_can_be_linked(listing, ledger):
     page = listing("#verdict=fails&q=the")
     expected = {x.id for x in ledger if x.verdict.value == "fails"}
     assert set(shown(page)) <= expected
-    page.fill("[name=q]", "")
+    page.fill("[name=words]", "")
     page.wait_for_function("location.hash === '#verdict=fails'")
     assert set(shown(page)) == expected
     assert page.locator("output").inner_text() == f"{len(expected)} of {len(ledger)} claims"

@@ -11,8 +11,8 @@ from typing import Any
 from docutils import nodes
 from sphinx.application import Sphinx
 
-MARKS = ('class="lg-tex', 'class="math ')
-"""How formulas look in HTML that is made by views, not by Sphinx."""
+MARKS = ('class="lg-', 'class="math ')
+"""Where formulas may be in HTML that is made by views, not by Sphinx, and in the cards of its links."""
 
 
 def setup(app: Sphinx) -> dict[str, Any]:

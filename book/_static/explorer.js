@@ -118,7 +118,7 @@
       const label = isScaled(state) ? exact : `${exact.includes("/") ? `(${exact})` : exact}/${power(state)}`;
       return {
         x: xs, y: xs.map((d) => (isScaled(state) ? Number(decimal) : Number(decimal) * d ** -exponent(q))), name: `limit ${label}`,
-        mode: "lines+text", text: xs.map((_, i) => (i === 120 ? label : "")), textposition: "middle right", hoverinfo: "skip", cliponaxis: false,
+        mode: "lines+text", text: xs.map((_, i) => (i === 120 ? `  ${label}` : "")), textposition: "middle right", hoverinfo: "skip", cliponaxis: false,
         textfont: { color: colour("--cx-ink") }, line: { color: colour("--cx-ink"), width: 1.3, dash: "dash" },
       };
     });
@@ -157,7 +157,7 @@
     const ticks = range(2, state.max).filter((d) => (state.log ? state.max <= 12 || [2, 3, 4, 6, 8, 12, 16, 24, 32, 48, 64].includes(d) : d === 2 || d % step === 0));
     const ends = [2 - state.max / 45, state.max + state.max / 45];
     return {
-      margin: { l: narrow ? 46 : 52, r: state.limits ? 58 : 14, t: 14, b: 44 }, height: 430, showlegend: false, dragmode: false, hovermode: "closest",
+      margin: { l: narrow ? 46 : 52, r: state.limits ? 70 : 14, t: 14, b: 44 }, height: 430, showlegend: false, dragmode: false, hovermode: "closest",
       paper_bgcolor: "rgba(0,0,0,0)", plot_bgcolor: "rgba(0,0,0,0)", font: { color: colour("--cx-ink"), size: narrow ? 12 : 13, family: getComputedStyle(figure).fontFamily },
       xaxis: { ...axis, title: { text: "dimension d" }, type: state.log ? "log" : "linear", tickvals: ticks, tickangle: 0, range: state.log ? [Math.log10(1.9), Math.log10(state.max * 1.06)] : ends },
       yaxis: { ...axis, title: { text: words }, type: isLog(state) ? "log" : "linear", exponentformat: "power", ...(isLog(state) || isScaled(state) ? {} : { range: [0, 1.06 * highest(state)] }) },

@@ -100,7 +100,7 @@
   form.hidden = false;
   form.addEventListener("input", () => {
     const found = filter();
-    if (asked().find && found.length) go(found[0]);
+    if (found.length && found.length < nodes.length) go(found[0]);
   });
   form.addEventListener("reset", () => setTimeout(filter));
   form.addEventListener("submit", (event) => {

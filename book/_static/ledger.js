@@ -46,7 +46,7 @@
   };
   const filter = () => {
     const asked = new FormData(form);
-    const phrase = asked.get("q").toLowerCase().trim().replace(/\s+/g, " ");
+    const phrase = asked.get("words").toLowerCase().trim().replace(/\s+/g, " ");
     const whole = phrase && rows.some((row) => text(row).includes(phrase));
     const words = whole ? [phrase] : phrase.split(" ").filter(Boolean);
     const kinds = KINDS.filter((kind) => asked.get(kind));
@@ -75,7 +75,7 @@
     history.replaceState(null, "", asked.size ? `#${asked}` : location.pathname + location.search);
   };
   const ask = (asked = location.hash.slice(1)) => {
-    const values = new URLSearchParams(asked);
+    const values = new URLSearchParams(asked.replace(/^q=|&q=/, (start) => start.replace("q", "words")));
     [...form.elements].filter((field) => field.name).forEach((field) => { field.value = values.get(field.name) ?? ""; });
     filter();
   };
@@ -92,7 +92,7 @@
 
   /* A link to something folded opens it. */
   const reveal = () => {
-    if (form && location.hash.includes("=")) return ask();
+    if (form && rows.length && location.hash.includes("=")) return ask();
     const target = document.getElementById(decodeURIComponent(location.hash.slice(1)));
     if (!target) return;
     if (target.hidden && rows.includes(target)) ask("");

@@ -203,7 +203,7 @@ def regular_fatness(printed: Constants) -> Finding:
 Rows = list[list[int]]
 
 
-@claim("thm-5.search", "Section 3, Theorem 5", Weight.RESULT, to_state=("thm-5",))
+@claim("sec3.searched", "Section 3, Theorem 5", Weight.RESULT, to_state=("thm-5",))
 def search(printed: Constants) -> Finding:
     """No simplex that a search found exceeds the regular one in one of the measures {measures}."""
     number, beaten = _search()

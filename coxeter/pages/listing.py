@@ -88,7 +88,7 @@ def _controls(ledger: Ledger) -> str:
         "family": [name for name in FAMILIES if name in families],
     }
     selects = "".join(select(name, values) for name, values in asked.items())
-    search = '<input type="search" name="q" placeholder="words or an id" autocomplete="off">'
+    search = '<input type="search" name="words" placeholder="words or an id" autocomplete="off">'
     return (
         f'<form class="lg-controls" role="search" aria-label="Claims" hidden><label>Search {search}</label>'
         f'{selects}{select("sort", SORTS, "paper order")}<button type="reset">Show all</button>'
