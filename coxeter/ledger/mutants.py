@@ -27,8 +27,8 @@ def mutants(constants: Constants) -> Iterator[tuple[str, Constants]]:
     A quotient becomes a product, and words give way to others. Yields pairs (what was changed, constants).
 
     >>> [what for what, _ in mutants({"angle": 60, "side": "sqrt(2)/2"})]
-    ['angle: 61', 'angle: 59', 'angle: -60', 'side: sqrt(2) / 3', 'side: sqrt(2) / 1', 'side: sqrt(3) / 2', \
-'side: sqrt(1) / 2', 'side: -(sqrt(2)/2)']
+    ['angle: 61', 'angle: 59', 'angle: -60', 'side: sqrt(2) * 2', 'side: sqrt(2) / 3', 'side: sqrt(2) / 1', \
+'side: sqrt(3) / 2', 'side: sqrt(1) / 2', 'side: -(sqrt(2)/2)']
     """
     for name, value in constants.items():
         for moved in _move(value):
