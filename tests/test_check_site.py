@@ -161,3 +161,19 @@ def test_the_command_says_what_it_checked(site: check_site.Site, spoil: bool) ->
     assert result.returncode == spoil
     assert "3 pages of the table of contents" in result.stdout
     assert ("FAULT pages/next.html" in result.stdout) == spoil
+
+
+@pytest.mark.parametrize(
+    ("link", "part", "good"),
+    [
+        ("#measure=thickness&max=9", '<figure class="cx-explorer"></figure>', True),
+        ("#measure=thickness&max=9", "", False),  # nothing on the page reads it
+        ("#measure=", '<form class="lg-controls"></form>', False),
+    ],
+)
+def test_an_address_may_say_what_controls_are_set_to(
+    site: check_site.Site, link: str, part: str, good: bool
+) -> None:
+    page = site.folder / "pages/next.html"
+    page.write_text(NEXT.replace("</main>", f'<a href="{link}">set</a>{part}</main>'), encoding="utf-8")
+    assert ("no such place" in faults(site)) is not good

@@ -34,6 +34,8 @@ REMOTE_IMPORT = re.compile(
 # A script inside a page is short: any address in it is taken for a request. Not so the names
 # of XML vocabularies, which look like addresses.
 REMOTE_IN_SCRIPT = re.compile(r"""["'`]((?:https?:)?//(?!www\.w3\.org/)[^"'`\s]+)["'`]""")
+# Parts of a page that read from its address what they are to show.
+SETTABLE = ".cx-explorer, .lg-controls"
 RENDERER = re.compile(r"(?:tex-|mml-|mathjax|katex)[^/]*\.js(?:\?|$)", re.IGNORECASE)
 
 
@@ -49,6 +51,11 @@ class Page:
     def anchors(self) -> set[str]:
         tags = self.soup.find_all(lambda tag: tag.has_attr("id") or tag.has_attr("name"))
         return {str(tag.get(name)) for tag in tags for name in ("id", "name")} | {"", "top"}
+
+    def knows(self, fragment: str) -> bool:
+        """Whether an address may end so: with a place on the page, or with what its controls are set to."""
+        state = re.fullmatch(r"\w+=[^&=]+(&\w+=[^&=]+)*", fragment)
+        return fragment in self.anchors or bool(state and self.soup.select_one(SETTABLE))
 
     @cached_property
     def body(self) -> Tag:
@@ -126,7 +133,7 @@ class Site:
                     target /= "index.html"
                 if not target.is_file():
                     self.fault(page.path, f"broken link to {address}")
-                elif target in self.pages and unquote(parts.fragment) not in (self.pages[target].anchors):
+                elif target in self.pages and not self.pages[target].knows(unquote(parts.fragment)):
                     self.fault(page.path, f"broken link to {address}: no such place there")
 
     def check_requests(self, page: Page) -> None:

@@ -16,7 +16,7 @@ def printed(x: Judged) -> str:
 
 def truth(x: Judged) -> str:
     """What is true instead, without repeating what is printed."""
-    text = x.finding.correction
+    text = in_words(x.finding.correction)
     if match := re.match(r"printed .*?( in the column of d = \d)?; (?:true: )?(.*)", text, re.DOTALL):
         return match[2] + (f", printed{match[1]}" if match[1] else "")
     for name, value in (x.finding.constants or {}).items():
@@ -26,6 +26,15 @@ def truth(x: Judged) -> str:
         )
         text = text.replace(words, told)
     return text
+
+
+def in_words(correction: str) -> str:
+    """A correction without the constants that it ends with, for the record, where words say the same.
+
+    >>> in_words("The square is missing. (power: printed 1, true 2)")
+    'The square is missing.'
+    """
+    return re.sub(r"(?<=\S) \(\w[\w ]*: printed .*\)$", "", correction, flags=re.DOTALL)
 
 
 def _named(name: str, value: object) -> str:

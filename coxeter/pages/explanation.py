@@ -11,6 +11,7 @@ from ..ledger.claim import Claim, Finding
 from ..ledger.inventory import belongs
 from ..ledger.vocabulary import Verdict
 from ..proofs import Proof, prove
+from .corrections import in_words
 from .wording import pieces
 
 HEADINGS = {
@@ -98,7 +99,7 @@ def _claim(claim: Claim, finding: Finding) -> str:
     verdict = f"*{finding.verdict.value} · {finding.strength}*"
     lines = [f"**{_text(claim.statement)}** — {verdict} (`{claim.id}`, decided by `{claim.code}`)"]
     for heading, text in (
-        (HEADINGS.get(finding.verdict, "Correction"), finding.correction),
+        (HEADINGS.get(finding.verdict, "Correction"), in_words(finding.correction)),
         ("Witness", finding.witness),
         ("Evidence", finding.evidence),
         ("Tested", finding.tested),
