@@ -87,6 +87,10 @@ def book(tmp_path, small: Views):
             "extensions": ["myst_nb", "book_extension"],
             "nb_execution_mode": "off",
             "nb_render_markdown_format": "myst",
+            "source_suffix": {
+                ".md": "myst-nb",
+                ".ipynb": "myst-nb",
+            },  # Sphinx lets apps of one process share the default
             "myst_enable_extensions": ["colon_fence", "dollarmath"],
             "html_theme": "basic",
         }

@@ -350,6 +350,7 @@ def build(tmp_path: Path, small: Views, text: str, builder: str = "html") -> tup
     warnings = io.StringIO()
     settings = {
         "extensions": ["myst_parser", "book_extension"],
+        "source_suffix": {".md": "markdown"},  # Sphinx lets apps of one process share the default
         "myst_enable_extensions": ["colon_fence"],
         "html_theme": "basic",
     }
