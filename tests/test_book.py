@@ -100,7 +100,7 @@ def book(tmp_path, small: Views):
             patch_docutils(),
             docutils_namespace(),
         ):
-            app = Sphinx(*map(lambda x: x and str(x), folders), "html", settings, None, warnings)  # noqa: C417
+            app = Sphinx(*(x and str(x) for x in folders), "html", settings, None, warnings)
             app.build()
         return tmp_path / "out", re.sub("\x1b\\[[0-9;]*m", "", warnings.getvalue())
 

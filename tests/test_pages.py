@@ -361,7 +361,7 @@ def build(tmp_path: Path, small: Views, text: str, builder: str = "html") -> tup
         patch_docutils(),
         docutils_namespace(),
     ):
-        app = Sphinx(*map(lambda x: x and str(x), folders), builder, settings, None, warnings)  # noqa: C417
+        app = Sphinx(*(x and str(x) for x in folders), builder, settings, None, warnings)
         app.build()
     suffix = {"html": "html", "text": "txt"}[builder]
     return (tmp_path / "out" / "deep" / f"page.{suffix}").read_text(), warnings.getvalue()
