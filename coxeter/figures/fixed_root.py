@@ -131,4 +131,4 @@ def _mirror(data: FixedRoot, view: View) -> list[tuple[float, float]]:
                 for a, b in zip(along, across, strict=True)
             ]
         )
-    return [view.pixel(corner) for corner in corners]  # type: ignore[arg-type]
+    return [view.pixel(corner) for corner in corners]

@@ -52,14 +52,14 @@ class View:
     def _decimals(self) -> tuple[list[float], ...]:
         return tuple([float(x) for x in vector] for vector in (*self.frame, self.centre))
 
-    def place(self, x: Sequence[Exact]) -> tuple[float, float, float]:
+    def place(self, x: Sequence[Exact | float]) -> tuple[float, float, float]:
         """Pixels to the right, downwards, and towards the viewer."""
         right, up, towards, centre = self._decimals
         offset = [float(a) - b for a, b in zip(x, centre, strict=True)]
         a, b, c = (self.scale * fsum(map(mul, v, offset)) for v in (right, up, towards))
         return a, -b, c
 
-    def pixel(self, x: Sequence[Exact]) -> Point:
+    def pixel(self, x: Sequence[Exact | float]) -> Point:
         """Where a point is drawn."""
         return self.place(x)[:2]
 
