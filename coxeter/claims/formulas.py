@@ -61,6 +61,19 @@ def compare_formula(paper: Paper, f: PrintedFormula) -> Comparison:
     note = spell_range(ds, fails)
     if fails:
         note += f"; for d = {first} the value is {exact[first]}, printed is {_value(f, first)}"
+    evidence = "; ".join(_evidence(paper, f, fails)) if fails else ""
+    return _in_dimensions(f, ds, fails, note, exact[first], evidence)
+
+
+def _in_dimensions(
+    f: PrintedFormula,
+    ds: tuple[int, ...],
+    fails: tuple[int, ...],
+    note: str,
+    exact: Surd | None = None,
+    evidence: str = "",
+) -> Comparison:
+    """A formula that agrees in all dimensions but those where it fails."""
     return Comparison(
         place=f.place,
         family=f.family,
@@ -69,9 +82,9 @@ def compare_formula(paper: Paper, f: PrintedFormula) -> Comparison:
         outcome=Outcome.DIFFERS if fails else Outcome.AGREES,
         dimensions=ds,
         fails_at=fails,
-        exact=exact[first],
+        exact=exact,
         note=note,
-        evidence="; ".join(_evidence(paper, f, fails)) if fails else "",
+        evidence=evidence,
     )
 
 
@@ -146,16 +159,8 @@ def _compare_edges(f: PrintedFormula) -> Comparison:
         return all(_evaluate(f.text, {"d": d, "j": j, "k": k}) == squares[j, k] for j, k in pairs)
 
     fails = tuple(d for d in ds if not holds(d))
-    return Comparison(
-        place=f.place,
-        family=f.family,
-        quantity=f.quantity,
-        printed=f.text,
-        outcome=Outcome.DIFFERS if fails else Outcome.AGREES,
-        dimensions=ds,
-        fails_at=fails,
-        note=f"fails for some edge, {spell(fails)}" if fails else f"holds for all edges, {spell(ds)}",
-    )
+    note = f"fails for some edge, {spell(fails)}" if fails else f"holds for all edges, {spell(ds)}"
+    return _in_dimensions(f, ds, fails, note)
 
 
 # -- evidence ----------------------------------------------------------------------------------------
