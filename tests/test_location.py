@@ -145,6 +145,19 @@ def test_floats_on_walls_are_decided_exactly(numerators, name):
     assert not found.open.any()
 
 
+@pytest.mark.parametrize("name", ["B~4", "C~4", "D~4", "F~4", "E~8"])
+def test_floats_with_huge_denominators_are_decided_exactly(name):
+    """A float next to a wall may have a denominator that no machine integer holds."""
+    d = int(name[-1])
+    points = np.full((2, d), 0.5)
+    points[:, 0] += [1, 2]
+    points[:, -1] = [2.0**-1000, -5e-324]
+    found = Grid(name).locate(points)
+    exact = Grid(name).locate(np.vectorize(Fraction, otypes=[object])(points))
+    assert (found.keys == exact.keys).all()
+    assert not found.open.any()
+
+
 def test_what_rounding_leaves_open_is_told():
     """The origin is a vertex, but in the plane's own coordinates of A~2 no neighbour of it is exact."""
     found = Grid("A~2").locate([[0.0, 0.0], [0.3, 0.2]])
