@@ -201,6 +201,17 @@ def test_bad_points_are_refused(points, told):
         Grid("B~3").locate(points)
 
 
+def test_a_rotation_typed_with_ten_digits_goes_and_comes_back():
+    turn = np.round([[np.cos(1), -np.sin(1)], [np.sin(1), np.cos(1)]], 10)
+    grid = Grid("C~2", rotation=turn)
+    assert np.abs(grid.frame.rotation @ grid.frame.rotation.T - np.eye(2)).max() < 1e-15
+    points = np.random.default_rng(3).normal(size=(50, 2)) * 1e5
+    found = grid.locate(points)
+    assert np.abs(np.einsum("nk,nkj->nj", found.barycentric, found.vertices) - points).max() < 1e-9
+    half_turn = -np.eye(2)
+    assert (Grid("C~2", rotation=half_turn).frame.rotation == half_turn).all()
+
+
 @pytest.mark.parametrize(
     "settings",
     [
