@@ -8,6 +8,7 @@ from collections.abc import Iterator
 from typing import Any, NamedTuple
 
 from ..ledger.claim import Claim, Constants, spell
+from ..ledger.phrases import fill
 from .formulas import is_telling, latex
 from .markup import MATHS
 
@@ -107,10 +108,11 @@ def statement(claim: Claim, constants: Constants | None = None) -> str:
         name = match[1]
         return shown(values[name]) if name in values else NOTHING if name in PLACES else match[0]
 
-    text = re.sub(r"(?<![\\_^])\{(\w+)\}", put, claim.words)
+    text = fill(claim.words, values, put)
     return re.sub(r"\b([A-Za-z])\^\(\$?([^$()]+)\$?\)", r"$\1^{\2}$", text)
 
 
+GREEK = {"Theta": r"\Theta"}
 NOTHING, PLACES = "[nothing is printed]", ("formula", "decimal", "point", "text", "label")
 """What stands where our copy has nothing, and the names of the constants for which that happens."""
 
@@ -124,6 +126,10 @@ def shown(value: Any) -> str:
     if isinstance(value, bool):
         return str(value).lower()
     if isinstance(value, str):
+        if value == "":
+            return NOTHING
+        if value in GREEK:
+            return f"${GREEK[value]}$"
         if re.fullmatch(r"\\tilde\{.*|.*_\{.*", value):
             return f"${value}$"
         return f"${latex(value)}$" if is_telling(value) else value
