@@ -120,6 +120,8 @@ def compare_point(paper: Paper, point: PrintedPoint) -> Comparison:
             outcome, evidence = Outcome.TRANSCRIPTION, cause
         if family != point.family:  # it stands in the wrong row
             wrong, exact = (), exact_point(family, point.name, *_first(point, family))
+            rows = affine_name(point.family), affine_name(family)
+            note = "our copy has it in the row of {}, it belongs to {}".format(*rows)
     elif point.label is not None:
         outcome, note = Outcome.TRANSCRIPTION, f"our copy labels it {point.label!r}"
         evidence = f"by its place it is {_name(point)}, and it is exact as that"
