@@ -8,7 +8,7 @@ from typing import Any
 from ..families.writing import is_telling, latex
 from ..ledger.claim import Claim, Constants, spell
 from ..ledger.phrases import fill
-from ..tables.pieces import TYPE, pieces, polished, run_latex, to_html, type_html
+from ..tables.pieces import TYPE, in_signs, pieces, polished, run_latex, to_html, type_html
 
 __all__ = ["pieces", "polished", "shown", "statement", "to_html", "to_plain", "type_html", "type_plain"]
 
@@ -72,20 +72,28 @@ def runs_latex(runs: tuple[tuple[str, str], ...]) -> str:
 
 
 def to_plain(text: str) -> str:
-    """A text for a title attribute: as it was written, without dollar signs."""
-    return text.replace("$", "")
+    r"""A text for a title attribute: its formulas in plain signs.
+
+    >>> to_plain(r"For $\tilde A_d$ it is $\frac{\sqrt{d + 1}}{2}$, not $0^{\{d - 1\}}$.")
+    'For Ã_d it is √(d + 1)/2, not 0^{d - 1}.'
+    """
+    parts = text.split("$")
+    return type_plain("".join(in_signs(part) if n % 2 else part for n, part in enumerate(parts)))
+
+
+BELOW = str.maketrans("0123456789", "₀₁₂₃₄₅₆₇₈₉")
 
 
 def type_plain(text: str) -> str:
     """The names of types in a text, written with one tilde above the letter.
 
     >>> type_plain("A~, item 7; E~6 and A~_{d}")
-    'A\u0303, item 7; E\u03036 and A\u0303_d'
+    'A\u0303, item 7; E\u0303₆ and A\u0303_d'
     """
 
     def put(match: re.Match[str]) -> str:
         index = match[2] or match[3] or ""
         between = "_" if index and not index.isdigit() else ""
-        return f"{match[1]}\N{COMBINING TILDE}{between}{index}"
+        return f"{match[1]}\N{COMBINING TILDE}{between}{index.translate(BELOW)}"
 
     return TYPE.sub(put, text)

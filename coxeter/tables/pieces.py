@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import html
 import re
+import unicodedata
 from collections.abc import Iterator
 from typing import NamedTuple
 
@@ -119,6 +120,47 @@ def _html(piece: Piece, maths: str) -> str:
     if piece.kind == "type":
         return type_html(piece.text)
     return html.escape(polished(piece.text), quote=False)
+
+
+SIGNS = {
+    "le": " ≤ ", "leq": " ≤ ", "ge": " ≥ ", "geq": " ≥ ", "ne": " ≠ ", "cdot": "·", "pm": "±",
+    "sum": "Σ", "infty": "∞",
+    "to": "→", "langle": "⟨", "rangle": "⟩", "vee": "∨", "dots": "…", "ldots": "…", "in": "∈", "times": "×",
+    "hat": "", "left": "", "right": "", "operatorname": "", "mathbf": "", "text": "", "quad": " ", "rm": "",
+    "mathbb": "", "vec": "", "bigl": "", "bigr": "", "notin": "∉",
+}  # fmt: skip
+
+
+def in_signs(tex: str) -> str:
+    r"""A formula in plain signs, where nothing sets formulas.
+
+    >>> in_signs(r"\frac{d + 1}{2d}"), in_signs(r"1\le i<j\le d"), in_signs(r"\sqrt2\,\pi")
+    ('(d + 1)/(2d)', '1 ≤ i<j ≤ d', '√2π')
+    """
+    text = re.sub(r"\\(?:[td])frac", r"\\frac", tex).replace(r"\{", "\ue000").replace(r"\}", "\ue001")
+    text = re.sub(r"\\tilde\s*\{?\s*(\w)\}?", "\\1\N{COMBINING TILDE}", text)
+    text = re.sub(r"\\frac\s*(\d)(\d)", r"\1/\2", re.sub(r"\\[,;:! ]", "", text))
+    for _ in range(6):  # from the inside
+        text = re.sub(r"\\sqrt\s*\{([^{}]*)\}", lambda m: "√" + _grouped(m[1]), text)
+        text = re.sub(
+            r"\\frac\s*\{([^{}]*)\}\s*\{([^{}]*)\}", lambda m: f"{_grouped(m[1])}/{_grouped(m[2])}", text
+        )
+        text = re.sub(r"([_^])\{([^{}]*)\}", lambda m: m[1] + _grouped(m[2]), text)
+    text = re.sub(r"\\([A-Za-z]+)\s?", lambda m: SIGNS.get(m[1], _letter(m[1])), text).replace("√√", "√")
+    text = re.sub(r"(?<![_^])\{([^{}]*)\}", r"\1", text).replace("\ue000", "{").replace("\ue001", "}")
+    return unicodedata.normalize("NFC", re.sub(r"\^\((\{[^{}]*\})\)", r"^\1", " ".join(text.split())))
+
+
+def _grouped(text: str) -> str:
+    return text if re.fullmatch(r"-?\w|-?\d+|√(\w+|\([^()]*\))|\(.*\)|\w+!", text) else f"({text})"
+
+
+def _letter(name: str) -> str:
+    size = "CAPITAL" if name[0].isupper() else "SMALL"
+    try:
+        return unicodedata.lookup(f"GREEK {size} LETTER {name.removeprefix('var').upper()}")
+    except KeyError:
+        return "√" if name == "sqrt" else name
 
 
 def polished(words: str) -> str:

@@ -98,8 +98,9 @@ class Table:
 
 def _html(text: str) -> str:
     """Text as HTML, with ``u_1``, ``B~3``, ``sqrt(3)/2`` and ``(0^{3}, 1)`` set as one writes them."""
-    if text.startswith("\\"):
-        return to_html(f"${text}$")  # LaTeX of the printed text
+    if text.startswith("\\"):  # LaTeX of the printed text, which our copy may have broken
+        broken = re.search(r"\\(begin|end)\b|&|\\\\", text) or text.count("{") != text.count("}")
+        return html.escape(text) if broken else to_html(f"${text}$")
     return to_html(text).replace("^(1/d)", "<sup>1/d</sup>")
 
 
