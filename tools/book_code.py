@@ -25,9 +25,9 @@ import coxeter.proofs
 from coxeter.errors import CoxeterError
 from coxeter.pages.judged import Ledger
 from coxeter.pages.listing import LAZY
-from coxeter.pages.markup import MATHS
 from coxeter.pages.naming import titled
 from coxeter.pages.wording import type_plain
+from coxeter.tables.pieces import MATHS
 
 EXPLAIN = re.compile(r"\bexplain\(([^()]*)\)")
 DOTTED = re.compile(r"coxeter(?:\.\w+)+")
