@@ -140,6 +140,9 @@ def in_signs(tex: str) -> str:
     text = re.sub(r"\\(?:[td])frac", r"\\frac", tex).replace(r"\{", "\ue000").replace(r"\}", "\ue001")
     text = re.sub(r"\\tilde\s*\{?\s*(\w)\}?", "\\1\N{COMBINING TILDE}", text)
     text = re.sub(r"\\frac\s*(\d)(\d)", r"\1/\2", re.sub(r"\\[,;:! ]", "", text))
+    text = re.sub(r"\\(?:operatorname|mathbf|mathbb|text|rm)\s*\{(\w+)\}", r"\1", text)
+    text = re.sub(r"\\frac\s*(\w)\s*(?=\{)", r"\\frac{\1}", text)
+    text = re.sub(r"(\\frac\{[^{}]*\})\s*(\w)", r"\1{\2}", text)
     for _ in range(6):  # from the inside
         text = re.sub(r"\\sqrt\s*\{([^{}]*)\}", lambda m: "√" + _grouped(m[1]), text)
         text = re.sub(
