@@ -3,7 +3,6 @@
 (() => {
   "use strict";
   const OTHERS = ".lg-errata, .lg-sheet, .highlighttable, .indextable, .cx-no-download";
-  const FEW = 3; // rows that are sooner copied than downloaded
   const BOXES = ".table-box, .lg-scroll, .pst-scrollable-table-container";
   const SIGNS = {
     "–": "--", "—": "---", "…": "\\dots{}", "≥": "$\\geq$", "≤": "$\\leq$", "≈": "$\\approx$", "≠": "$\\neq$",
@@ -117,7 +116,7 @@
     if (exact) window.MathJax?.typesetPromise?.(cells).catch(console.error);
   };
   document.querySelectorAll("article table").forEach((table) => {
-    if (table.closest(OTHERS) || table.rows.length - Number(Boolean(table.tHead)) <= FEW) return;
+    if (table.closest(OTHERS) || !table.rows.length) return;
     const tools = Object.assign(document.createElement("div"), { className: "cx-table-tools" });
     tools.setAttribute("role", "group");
     tools.setAttribute("aria-label", `Download the table: ${title(table)}`);
