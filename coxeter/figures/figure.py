@@ -108,7 +108,7 @@ def headed(figure: Figure[Data], name: str) -> Figure[Data]:
     def draw() -> Canvas:
         canvas = figure.draw()
         left, top, right, _ = canvas.box
-        canvas.label(((left + right) / 2, top - 18), name)
+        canvas.label(((left + right) / 2, top - 14), name)
         return canvas.fit()
 
     return replace(figure, draw=draw)
