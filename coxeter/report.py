@@ -119,7 +119,12 @@ class Facts:
 
 
 def _approximately(x: Surd) -> str:
-    return "" if x.is_rational and x.as_fraction().denominator == 1 else f" ≈ {_short(x)}"
+    if not x.is_rational:
+        return f" ≈ {_short(x)}"
+    fraction, decimal = x.as_fraction(), _short(x)
+    if fraction.denominator == 1:
+        return ""
+    return f" = {decimal.rstrip('0')}" if Fraction(decimal) == fraction else f" ≈ {decimal}"
 
 
 @dataclass(frozen=True)

@@ -307,11 +307,11 @@ def test_normals_of_c_have_two_lengths():
 
 def test_words_of_the_verdict():
     assert verdict(scene("A~3")) == (
-        "The circumcentre lies inside the simplex: A~3 is Delaunay. "
+        "The circumcentre lies inside the simplex: A\u0303₃ is Delaunay. "
         "The apexes of all four neighbours lie outside the circumsphere."
     )
     assert verdict(scene("B~3")) == (
-        "The circumcentre lies outside the simplex: B~3 is not Delaunay. "
+        "The circumcentre lies outside the simplex: B\u0303₃ is not Delaunay. "
         "Of the apexes of the four neighbours, s₂(u₂) lies inside "
         "the circumsphere, s₀(u₀), s₁(u₁) and s₃(u₃) lie outside the circumsphere."
     )

@@ -24,8 +24,8 @@ from sphinx.util import logging
 
 from coxeter.errors import CoxeterError
 from coxeter.pages.cards import brief, claim_card, erratum_card
-from coxeter.pages.markup import MATHS
 from coxeter.pages.wording import to_html
+from coxeter.tables.pieces import MATHS
 
 LINK = re.compile(r"<a\b([^>]*)>")
 HREF = re.compile(r'\bhref="([^"]+)"')

@@ -25,9 +25,9 @@ import coxeter.proofs
 from coxeter.errors import CoxeterError
 from coxeter.pages.judged import Ledger
 from coxeter.pages.listing import LAZY
-from coxeter.pages.markup import MATHS
-from coxeter.pages.naming import names_of_items
+from coxeter.pages.naming import titled
 from coxeter.pages.wording import type_plain
+from coxeter.tables.pieces import MATHS
 
 EXPLAIN = re.compile(r"\bexplain\(([^()]*)\)")
 DOTTED = re.compile(r"coxeter(?:\.\w+)+")
@@ -161,8 +161,7 @@ def _about(app: Sphinx, ids: list[str]) -> str:
     except CoxeterError as error:
         log.warning("%s", error, location=app.env.docname)
         return ", ".join(ids)
-    names = ", ".join(map(type_plain, names_of_items(ids)))
-    return f"{names} ({len(claims)} claim{'s' if len(claims) > 1 else ''})"
+    return f"{type_plain(titled(ids))} ({len(claims)} claim{'s' if len(claims) > 1 else ''})"
 
 
 def say_folds(app: Sphinx, pagename: str, template: str, context: dict[str, Any], *_: Any) -> None:

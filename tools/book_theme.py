@@ -1,10 +1,12 @@
 """What the book mends of its theme.
 
 * The theme brings each icon twice: as a font, and in a script of half a megabyte that nothing here needs.
+* A point or a comma after a formula or a badge stays on its line.
 * Formulas are set by a script only on pages that have some; MathJax's menu, which makes each formula a stop
   of the Tab key, is left away.
 """
 
+import re
 from pathlib import Path
 from typing import Any
 
@@ -15,9 +17,14 @@ MARKS = ('class="lg-', 'class="math ')
 """Where formulas may be in HTML that is made by views, not by Sphinx, and in the cards of its links."""
 
 
+ENDED = re.compile(r'(<span class="math [^>]*>[^<]*</span>|<a class="lg-pill (?:(?!</a>).)*</a>)([.,;:!?)]+)')
+"""A formula or a badge, and the signs after it."""
+
+
 def setup(app: Sphinx) -> dict[str, Any]:
     app.config.mathjax3_config = {"options": {"enableMenu": False}}
     app.connect("doctree-resolved", note_formulas)
+    app.connect("html-page-context", keep_signs)
     app.connect("build-finished", leave_icons_to_the_font)
     return {"parallel_read_safe": True, "parallel_write_safe": True}
 
@@ -27,6 +34,13 @@ def note_formulas(app: Sphinx, doctree: nodes.document, docname: str) -> None:
     known = app.env.get_domain("math").data["has_equations"]
     if not known.get(docname):
         known[docname] = any(mark in raw.astext() for raw in doctree.findall(nodes.raw) for mark in MARKS)
+
+
+def keep_signs(app: Sphinx, pagename: str, template: str, context: dict[str, Any], *_: Any) -> None:
+    """No sign alone on a line; and a formula that scrolls shows it: `wide.js`."""
+    if 'class="math ' in (body := context.get("body", "")):
+        context["body"] = ENDED.sub(r'<span class="cx-together">\1\2</span>', body)
+        app.add_js_file("wide.js", loading_method="defer")
 
 
 def leave_icons_to_the_font(app: Sphinx, error: Exception | None) -> None:

@@ -6,6 +6,7 @@ reader. Headings on a page keep their formulas.
 
 import re
 import unicodedata
+from collections.abc import Iterator
 from typing import Any
 
 from docutils import nodes
@@ -61,7 +62,14 @@ def plain_title(app: Sphinx, doctree: nodes.document) -> None:
             words = "".join(to_text(str(x)) if _is_math(x) else str(x) for x in title.findall(nodes.Text))
             titles[app.env.docname] = nodes.title("", words)
             if link := next(iter(app.env.tocs[app.env.docname].findall(nodes.reference)), None):
-                link.children = [nodes.Text(words)]
+                link.children = list(_below(words))
+
+
+def _below(words: str) -> Iterator[nodes.Node]:
+    """Text with its letters below the line, which Unicode has not, as such."""
+    for count, part in enumerate(re.split(r"_(\w)", words)):
+        if part:
+            yield nodes.subscript("", part) if count % 2 else nodes.Text(part)
 
 
 def _is_math(text: nodes.Text) -> bool:

@@ -65,7 +65,7 @@
   /* A cell is {text, tex}, and if it has an exact value {exact} too. */
   const cell = (td, exact) => {
     const value = td.title && td.closest(".table-box") ? td.title : "";
-    if (!value) return { text: read(td, KINDS.plain), tex: read(td, KINDS.latex) };
+    if (!value) return { text: td.dataset.text ?? read(td, KINDS.plain), tex: read(td, KINDS.latex) };
     const decimal = td.dataset.decimal ?? td.textContent;
     return { exact: value, decimal, text: exact ? value : decimal, tex: exact ? `$${exactTex(value)}$` : decimal };
   };

@@ -108,9 +108,10 @@ def unit(printed: str) -> Fraction:
 
 
 def units_off(printed: str, exact: Surd) -> str:
-    """By how many units of the last digit a decimal differs from the correct rounding, with its sign."""
+    """By how many units of the last digit a decimal is above or below the correct rounding."""
     steps = (Fraction(Decimal(printed)) - Fraction(Decimal(round_like(printed, exact)))) / unit(printed)
-    return f"{int(steps):+d} units of the last digit off the correct rounding"
+    n, where = abs(int(steps)), "high" if steps > 0 else "low"
+    return f"{n} unit{'s' if n > 1 else ''} of the last digit too {where}"
 
 
 def spell(dimensions: Sequence[int]) -> str:

@@ -35,7 +35,7 @@ def compare_points(paper: Paper, wanted: Callable[[PrintedPoint], bool]) -> tupl
     >>> from ..paper import printed
     >>> for x in compare_points(printed(), lambda p: p.family == "E8" and p.name == "circumcentre"):
     ...     print(x.outcome.value, "|", x.note)
-    differs | our copy shows 7 coordinates in place of 8; the point is (1/12, 1/12, 0, 0, 0, 0, 0, 1/2)
+    differs | the point is (1/12, 1/12, 0, 0, 0, 0, 0, 1/2); our copy shows 7 coordinates in place of 8
     """
     points = [point for point in paper.points if wanted(point)]
     sections = [
@@ -120,6 +120,8 @@ def compare_point(paper: Paper, point: PrintedPoint) -> Comparison:
             outcome, evidence = Outcome.TRANSCRIPTION, cause
         if family != point.family:  # it stands in the wrong row
             wrong, exact = (), exact_point(family, point.name, *_first(point, family))
+            rows = affine_name(point.family), affine_name(family)
+            note = "our copy has it in the row of {}, it belongs to {}".format(*rows)
     elif point.label is not None:
         outcome, note = Outcome.TRANSCRIPTION, f"our copy labels it {point.label!r}"
         evidence = f"by its place it is {_name(point)}, and it is exact as that"
@@ -141,7 +143,7 @@ def _fault(point: PrintedPoint, d: int, k: int, exact: Point) -> tuple[Outcome, 
     """What is wrong with a printed point, at the first d and k for which it is wrong."""
     x = _printed_point(point, d, k)
     if x is not None and len(x) != len(exact):
-        note = f"our copy shows {len(x)} coordinates in place of {len(exact)}; the point is {show(exact)}"
+        note = f"the point is {show(exact)}; our copy shows {len(x)} coordinates in place of {len(exact)}"
         return Outcome.DIFFERS, note, _mended(point, len(exact) - len(x), up_to_signs=True)
     where = f"d = {d}" + (f", k = {k}" if point.first else "")
     note = f"for {where} the point is {show(exact)}, printed is {show(x or ('nothing',))}"

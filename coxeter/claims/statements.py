@@ -90,7 +90,7 @@ def _evidence(paper: Paper, s: PrintedStatement) -> str:
         d = dimensions(s.family)[-1]
         same = [k for k, h in enumerate(simplex_of(s.family, d).heights) if h == evaluate(s.text, d=d)]
         if same:
-            parts.append(f"it is the height from u_k for k in {same[0]} … {same[-1]} (d = {d})")
+            parts.append(f"it is the height from u_k for k from {same[0]} to {same[-1]} (d = {d})")
         for other in paper.statements:
             key = (other.kind, other.vertex, other.facet, other.text)
             if other is not s and key == (s.kind, s.vertex, s.facet, s.text):

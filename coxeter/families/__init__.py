@@ -14,11 +14,12 @@ from ..exact import Surd
 from ..names import MINIMAL_DIMENSION
 from .forms import FORMS, LENGTHS, MEASURES, NORMALIZED
 from .reading import evaluate, expression
+from .writing import latex
 
 if TYPE_CHECKING:
     import sympy
 
-__all__ = ["QUANTITIES", "ClosedForm", "Piece", "closed_form", "evaluate", "expression"]
+__all__ = ["QUANTITIES", "ClosedForm", "Piece", "closed_form", "evaluate", "expression", "latex"]
 
 QUANTITIES = (*LENGTHS, "relative_protection", *MEASURES, *NORMALIZED)
 """The names under which `closed_form` knows the quantities of a fundamental simplex."""
@@ -103,11 +104,9 @@ class ClosedForm:
         >>> print(closed_form("B", "longest_edge").latex())
         \begin{cases}1 & d = 3 \\ \frac{\sqrt{d}}{2} & d \geq 4\end{cases}
         """
-        import sympy
-
-        formulas = [sympy.latex(piece.expression) for piece in self.pieces]
+        formulas = [str(latex(piece.text)) for piece in self.pieces]
         if len(formulas) == 1:
-            return str(formulas[0])
+            return formulas[0]
         cases = (f"{f} & {p.condition}" for f, p in zip(formulas, self.pieces, strict=True))
         return r"\begin{cases}" + r" \\ ".join(cases) + r"\end{cases}"
 

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import os
 from collections.abc import Callable, Sequence
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 from functools import cached_property
 from pathlib import Path
 from typing import Generic, TypeVar
@@ -100,6 +100,18 @@ def beside(*figures: Figure[Data], title: str = "", alt: str = "") -> Figure[tup
         lambda: side_by_side([part.draw() for part in parts]),
         tuple(parts),
     )
+
+
+def headed(figure: Figure[Data], name: str) -> Figure[Data]:
+    """The figure with its name above it."""
+
+    def draw() -> Canvas:
+        canvas = figure.draw()
+        left, top, right, _ = canvas.box
+        canvas.label(((left + right) / 2, top - 14), name)
+        return canvas.fit()
+
+    return replace(figure, draw=draw)
 
 
 def above(*figures: Figure[Data], title: str = "", alt: str = "") -> Figure[tuple[Data, ...]]:

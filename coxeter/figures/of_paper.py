@@ -11,7 +11,7 @@ from .appendix_a import lemma_9_distances, lemma_10_plane
 from .appendix_b import lemma_4_circles
 from .cube import cube_simplex
 from .diagrams import diagram_pair
-from .figure import Figure, above, beside
+from .figure import Figure, above, beside, headed
 from .monohedral import monohedral_not_coxeter
 from .root_systems import root_system_plane
 from .triangulations import plane_triangulation
@@ -46,7 +46,11 @@ def paper_figure(number: int) -> Figure[Any]:
 def _figure_1() -> Figure[Any]:
     """Each root system with its coroots beside it."""
     rows = [
-        beside(root_system_plane(name), root_system_plane(name, dual=True)) for name in ("A2", "B2", "G2")
+        beside(
+            headed(root_system_plane(name), f"${name[0]}_2$"),
+            headed(root_system_plane(name, dual=True), rf"${name[0]}_2^{{\vee}}$"),
+        )
+        for name in ("A2", "B2", "G2")
     ]
     return above(*rows, title="The root systems of rank 2 and their coroots")
 
@@ -55,7 +59,7 @@ def _figure_2() -> Figure[Any]:
     """The triangulations of the plane, then the simplices of space, two in a row."""
     plane: list[Figure[Any]] = [plane_triangulation(name) for name in ("A~2", "C~2", "G~2")]
     space: list[Figure[Any]] = [cube_simplex(name) for name in ("A~3", "B~3", "C~3")]
-    every = [*plane, *space]
+    every = [headed(x, rf"$\tilde{{{x.data.name[0]}}}_{x.data.name[-1]}$") for x in (*plane, *space)]
     rows = [beside(*every[k : k + 2]) for k in (0, 2, 4)]
     return above(*rows, title="The Coxeter triangulations of the plane and the simplices of those of space")
 

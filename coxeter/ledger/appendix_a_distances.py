@@ -18,7 +18,7 @@ from .wording import amend, told
 @claim("lem-9.hypotenuse", f"{LEMMA_9}, before (3)", Weight.WORDING, to_state=("fig-12.left",))
 @told
 def hypotenuse(printed: Constants) -> Finding:
-    r"""The distance of p from $v_i$ is greater than $h_i-r_i$, in the strict sense ({strict})."""
+    r"""The distance of p from $v_i$ is {strict?greater than|at least} $h_i-r_i$."""
     gaps = [(s, x - (h - r)) for s in settings() for x, h, r in _legs(s)]
     assert all(gap >= 0 for _, gap in gaps)
     finding = agree(
@@ -42,8 +42,8 @@ def _legs(s: Setting) -> list[tuple[Surd, Surd, Surd]]:
 
 @claim("lem-9.sum", f"{LEMMA_9}, before (3)", Weight.PROOF, to_prove=("lem-9.hypotenuse",))
 def sum_of_distances(printed: Constants) -> Finding:
-    r"""$\sum F_i\,d(p,v_i)$ is at least {heights} $\sum F_ih_i$ + ({distances}) $\sum F_ir_i$, for every p;
-    this cannot be improved."""
+    r"""$\sum F_i\,d(p,v_i)$ is at least ${heights:times}\sum F_ih_i {distances:plus} \sum F_ir_i$, for every
+    p; this cannot be improved."""
 
     def gap(s: Setting) -> Surd:
         a, b = printed["heights"], printed["distances"]
@@ -173,8 +173,8 @@ def numbers(printed: Constants) -> Finding:
 @told
 def chain(printed: Constants) -> Finding:
     r"""From (1), (2) and (5): $F^2(R^2+|pq|^2-|oq|^2)$ is $F\sum F_i|pv_i|^a$, a = {power}, which is at
-    least the square of $\sum F_i\,pv_i$, with vectors ({vectors}) or lengths, which is at least the square
-    of {factor} times $F\,h(\sigma)$."""
+    least the square of $\sum F_i\,pv_i$ with the {vectors?vectors|lengths} $pv_i$, which is at least the
+    square of {factor} times $F\,h(\sigma)$."""
     true = {"power": 2, "vectors": False, "factor": "d/(d + 1)"}
     if all(_chain_holds(printed, s) for s in settings()):
         return holds(EVERY_D, r"(2), then (1), then (5), with lengths.")
@@ -204,8 +204,8 @@ def _chain_holds(c: Constants, s: Setting) -> bool:
 
 @claim("lem-9.conclusion", f"{LEMMA_9}, conclusion", Weight.PROOF, to_prove=("lem-9.chain",))
 def conclusion(printed: Constants) -> Finding:
-    r"""At p = q: $R^2\ge$ ({factor} h)² + {oq} $|oq|^2$, so that the aspect ratio is at most {aspect_ratio};
-    neither can be improved."""
+    r"""At p = q: $R^2$ is at least the square of {factor} times h, plus ${oq:times}|oq|^2$, so that the
+    aspect ratio is at most {aspect_ratio}; neither can be improved."""
     true = {"factor": "d/(d + 1)", "oq": 1, "aspect_ratio": "(d + 1)/(2*d)"}
     every = [s for s in settings() if s.at_circumcentre]
     good = all(_conclusion_holds(printed, s) for s in every)

@@ -205,7 +205,7 @@ Rows = list[list[int]]
 
 @claim("sec3.searched", "Section 3, Theorem 5", Weight.RESULT, to_state=("thm-5",))
 def search(printed: Constants) -> Finding:
-    """No simplex that a search found exceeds the regular one in one of the measures {measures}."""
+    """No simplex that a search found exceeds the regular one in one of the measures {measures:and}."""
     number, beaten = _search()
     survived = tuple(m.name for m in quality.PAPER_MEASURES if m.name not in beaten)
     return agree(

@@ -89,8 +89,8 @@ def _heights_hold() -> bool:
 @told
 def cauchy_schwarz(printed: Constants) -> Finding:
     r"""For every point p, the product of $\sum F_i$ and $\sum F_i|pv_i|^a$, a = {left_power}, is at least
-    the square (exponent {right_power}) of a sum of the F_i times vectors ({vectors}) or lengths, and only
-    the circumcentre gives equality."""
+    the power {right_power} of the sum of the $F_i$ times the {vectors?vectors|lengths} from p to the $v_i$,
+    and only the circumcentre gives equality."""
     if all(_first_equation(printed, s) for s in settings()):
         return holds(
             EVERY_D,
@@ -128,8 +128,8 @@ def _first_equation(printed: Constants, s: Setting) -> bool:
 
 @claim("eq-1.equality", f"{LEMMA_9}, after (1)", Weight.PROOF, to_state=("eq-1",))
 def equality(printed: Constants) -> Finding:
-    r"""In (1), read with lengths, there is equality if p is the circumcentre ({circumcentre}) and if p is
-    another point ({other_points})."""
+    r"""In (1), read with lengths, the circumcentre {circumcentre?gives|does not give} equality, and other
+    points {other_points?do too|do not}."""
     gaps = {s: s.total * moment(s, 2) - moment(s, 1) ** 2 for s in settings()}
     found = {
         "circumcentre": all(not gap for s, gap in gaps.items() if s.at_circumcentre),
@@ -147,8 +147,8 @@ def equality(printed: Constants) -> Finding:
 
 @claim("lem-9.expansion", f"{LEMMA_9}, before (2)", Weight.PROOF)
 def expansion(printed: Constants) -> Finding:
-    r"""With $q=\sum F_iv_i/F$ and the circumcentre o, $\sum F_i|pv_i|^2$ is F times ({radius} $R^2$ + {op}
-    $|op|^2$ + ({cross}) $op\cdot oq$)."""
+    r"""With $q=\sum F_iv_i/F$ and the circumcentre o, $\sum F_i|pv_i|^2$ is F times the sum
+    ${radius:times}R^2 {op:plus} |op|^2 {cross:plus}\,op\cdot oq$."""
 
     def right(s: Setting, c: Constants) -> Surd:
         products = c["op"] * s.products["op"] + c["cross"] * s.products["op.oq"]
@@ -166,7 +166,7 @@ def expansion(printed: Constants) -> Finding:
 
 @claim("lem-9.polarisation", f"{LEMMA_9}, before (2)", Weight.PROOF)
 def polarisation(printed: Constants) -> Finding:
-    r"""{factor} $op\cdot oq$ = {op} $|op|^2$ + {oq} $|oq|^2$ + ({pq}) $|pq|^2$."""
+    r"""${factor:times}\,op\cdot oq = {op:times}|op|^2 {oq:plus} |oq|^2 {pq:plus} |pq|^2$."""
     return identity(
         printed,
         {"factor": 2, "op": 1, "oq": 1, "pq": -1},
@@ -179,8 +179,8 @@ def polarisation(printed: Constants) -> Finding:
 @claim("eq-2", "Appendix A, equation (2)", Weight.PROOF, to_prove=("lem-9.expansion", "lem-9.polarisation"))
 @told
 def second_equation(printed: Constants) -> Finding:
-    r"""$\sum F_i\cdot\sum F_i|pv_i|^a$, a = {power}, is $F^2$ times ({radius} $R^2$ + {pq} $|pq|^2$ + ({oq})
-    $|oq|^2$)."""
+    r"""$\sum F_i\cdot\sum F_i|pv_i|^a$, a = {power}, is $F^2$ times the sum ${radius:times}R^2 {pq:plus}
+    |pq|^2 {oq:plus} |oq|^2$."""
     true = {"power": 2, "radius": 1, "pq": 1, "oq": -1}
 
     def right(s: Setting, c: Constants) -> Surd:

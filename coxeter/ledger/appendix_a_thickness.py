@@ -100,10 +100,10 @@ def separating_facet(printed: Constants) -> Finding:
 )
 @told
 def angle(printed: Constants) -> Finding:
-    r"""Let a facet, opposite to the vertex p, separate a simplex from its circumcentre: any such facet
-    ({any_facet}), or else one that contains the face nearest to the circumcentre. Then the height from p is
-    at most {bound} times the longest edge at p, as the angle of this edge with the facet is at most
-    $\pi/4$."""
+    r"""Let a facet, opposite to the vertex p, separate a simplex from its circumcentre, {any_facet?whichever
+    such facet it is|and let it contain the face nearest to the circumcentre}. Then the height from p is at
+    most {bound} times the longest edge at p, as the angle of this edge with the facet is at most $\pi/4$.
+    """
     squared = evaluate(printed["bound"]) ** 2
     counted = [x for x, chosen in ratios() if chosen or printed["any_facet"]]
     if squared != _limit() or evaluate(printed["bound"]) < 0:
@@ -178,8 +178,8 @@ def not_self_centred(printed: Constants) -> Finding:
 
 @claim("lem-10.self-centred", LEMMA_10, Weight.PROOF, to_state=("def-20", "def-21"))
 def self_centred(printed: Constants) -> Finding:
-    """The circumradius is the radius of the minimal enclosing ball if the simplex is self-centred
-    ({self_centred}); if it is not: {otherwise}."""
+    """If a simplex is self-centred, its circumradius {self_centred?is|need not be} the radius of its minimal
+    enclosing ball; otherwise it {otherwise?is that too|is not}."""
     equal = {s: enclosing_balls(s)[0].squared_radius == s.squared_circumradius for s in shapes()}
     found = {
         "self_centred": all(x for s, x in equal.items() if is_self_centred(s)),
@@ -255,8 +255,9 @@ def regular_thickness(printed: Constants) -> Finding:
 
 @claim("fig-12.left", "Appendix A, Figure 12, left", Weight.PROOF)
 def right_triangle(printed: Constants) -> Finding:
-    r"""The segment from p to $v_i$ is the hypotenuse of a right triangle, one leg of which is {height} $h_i$
-    + ({distance}) $r_i$ for p in the simplex, and the other the distance of the feet on facet i."""
+    r"""The segment from p to $v_i$ is the hypotenuse of a right triangle, one leg of which is
+    ${height:times}h_i {distance:plus} r_i$ for p in the simplex, and the other the distance of the feet on
+    facet i."""
     inside = [s for s in settings() if s.where != "outside"]
     good = all(
         x == (printed["height"] * h + printed["distance"] * r) ** 2 + feet
@@ -277,8 +278,8 @@ def right_triangle(printed: Constants) -> Finding:
 @told
 def section(printed: Constants) -> Finding:
     r"""The plane through the longest edge at p and the height from p meets a simplex that is not
-    self-centred in an obtuse triangle, whose angle at the other end of that edge is less than {angle} $\pi$:
-    in the plane, and in space ({in_space})."""
+    self-centred in an obtuse triangle, whose angle at the other end of that edge is less than {angle:pi}, in
+    the plane{in_space? and in space| only}."""
     true = {"angle": "1/4", "in_space": False}
     if evaluate(printed["angle"]) != ANGLES[_limit()]:
         return corrected(EVERY_D, r"the angle is less than $\pi/4$", constants=true)

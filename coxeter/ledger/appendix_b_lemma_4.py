@@ -148,7 +148,8 @@ def centres_differ(printed: Constants) -> Finding:
 
 @claim("lem-4.circles", PLACE, Weight.PROOF, to_prove=["lem-4.line", "lem-4.centres-differ"])
 def circles(printed: Constants) -> Finding:
-    """If c and c' differ, a plane through both meets S and S' in circles that cross in {points} points."""
+    """If c and c' differ, a plane through both meets S and S' in circles that cross in {points:words}
+    points."""
     return step_with(
         printed,
         "points",

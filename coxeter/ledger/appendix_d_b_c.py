@@ -24,7 +24,7 @@ from .vocabulary import EVERY_D, Weight
     proof=("proposition_8",),
 )
 def vertices_of_b(printed: Constants) -> Finding:
-    r"""For every d from {first} on the vertex set of $\tilde B_d$ is a lattice: {lattice}."""
+    r"""From d = {first} on the vertex set of $\tilde B_d$ is {lattice?a|not a} lattice."""
     return decide(
         range_of(printed, 8, 3, lattice=False),
         EVERY_D,
@@ -56,7 +56,7 @@ INCLUSIONS = (
     proof=("proposition_9",),
 )
 def vertices_of_c(printed: Constants) -> Finding:
-    r"""For every d from {first} on the vertex set of $\tilde C_d$ is a lattice: {lattice}."""
+    r"""From d = {first} on the vertex set of $\tilde C_d$ is {lattice?a|not a} lattice."""
     return decide(
         range_of(printed, 9, 2, lattice=True),
         EVERY_D,
@@ -161,8 +161,8 @@ def _is_stable(step: Fraction, d: int) -> bool:
 
 @claim("prop-9.converse", CASES[9].place, Weight.PROOF, to_prove=("prop-9.criterion",))
 def converse_of_c(printed: Constants) -> Finding:
-    r"""The d vectors {coefficient} $e_i$ are independent positive roots that have integer inner products
-    with all points of $(\frac12\mathbb Z)^d$."""
+    r"""The d vectors ${coefficient:times}e_i$ are independent positive roots that have integer inner
+    products with all points of $(\frac12\mathbb Z)^d$."""
     factor = printed["coefficient"]
     good = factor > 0 and factor % 2 == 0
     for d in CASES[9].dimensions:

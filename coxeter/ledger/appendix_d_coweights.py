@@ -28,8 +28,8 @@ PROPOSITION_7 = "Appendix D, proof of Proposition 7"
 
 @claim("lem-14", LEMMA_14, Weight.RESULT, to_state=("def-12", "def-16"), to_prove=("lem-14.hyperplanes",))
 def coweights_are_vertices(printed: Constants) -> Finding:
-    """The coweight lattice of a crystallographic root system is contained in the vertex set of its
-    triangulation: {contained}."""
+    """The coweight lattice of a crystallographic root system is {contained?|not }contained in the vertex set
+    of its triangulation."""
     return agree(
         printed,
         {"contained": all(_contains_coweights(t) for t in all_types(8))},
@@ -51,8 +51,8 @@ def _contains_coweights(t: CoxeterTriangulation) -> bool:
 @told
 def hyperplanes(printed: Constants) -> Finding:
     r"""If $n_i$ are the inner products of a point with the simple roots $s_i$, the point lies on the d
-    hyperplanes of the $s_i$ with the numbers {level}$_i$, and their normals are independent:
-    {independent}."""
+    hyperplanes of the $s_i$ with the numbers {level}$_i$, and their normals are
+    {independent?independent|dependent}."""
     independent = all(t.roots.simple_roots.rank() == t.dimension for t in all_types(8))
     return decide(
         printed["level"] == "n" and printed["independent"] is independent,
@@ -68,7 +68,7 @@ def hyperplanes(printed: Constants) -> Finding:
 
 @claim("lem-15", LEMMA_15, Weight.RESULT, to_state=("def-12", "def-14"), to_prove=("eq-7", "lem-15.integers"))
 def coweights_are_stable(printed: Constants) -> Finding:
-    """The affine Weyl group maps the coweight lattice to itself: {stable}."""
+    """The affine Weyl group {stable?maps|does not map} the coweight lattice to itself."""
     return agree(
         printed,
         {"stable": all(_is_stable(t) for t in all_types(8))},
@@ -102,7 +102,7 @@ def _reflected() -> tuple[tuple[Fraction, ...], ...]:
 
 @claim("eq-7", "Appendix D, equation (7)", Weight.PROOF, to_state=("def-10", "def-14"))
 def seventh_equation(printed: Constants) -> Finding:
-    r"""$\langle\sigma_{r,k}(x),r'\rangle$ is {first} $\langle x,r'\rangle$ + ({second}) $(\langle
+    r"""$\langle\sigma_{r,k}(x),r'\rangle$ is ${first:times}\langle x,r'\rangle {second:plus} (\langle
     x,r\rangle-k)\langle r^\vee,r'\rangle$."""
     good = all(left == printed["first"] * a + printed["second"] * b for left, a, b in _reflected())
     why = r"The product of $\sigma_{r,k}(x)=x-(\langle x,r\rangle-k)r^\vee$ with $r'$."
@@ -111,7 +111,8 @@ def seventh_equation(printed: Constants) -> Finding:
 
 @claim("lem-15.integers", f"{LEMMA_15}, proof", Weight.PROOF, to_prove=("lem-15.cartan-integer",))
 def integers(printed: Constants) -> Finding:
-    r"""The numbers $\langle r^\vee,r'\rangle$ are Cartan integers, so integers: {integers}."""
+    r"""The numbers $\langle r^\vee,r'\rangle$ are Cartan integers, {integers?so integers|not always
+    integers}."""
     found = all(
         (2 * inner(r, other) / inner(r, r)).denominator == 1
         for t in all_types(4)
@@ -182,7 +183,7 @@ def _lattice_of_a(d: int) -> LatticeProof | None:
     proof=("proposition_7",),
 )
 def vertices_of_a(printed: Constants) -> Finding:
-    r"""For every d from {first} on the vertex set of $\tilde A_d$ is a lattice: {lattice}."""
+    r"""From d = {first} on the vertex set of $\tilde A_d$ is {lattice?a|not a} lattice."""
     found = {bool(_lattice_of_a(d)) for d in range(2, 13)}
     return decide(
         printed["first"] == 2 and found == {printed["lattice"]},
@@ -202,7 +203,7 @@ def vertices_of_a(printed: Constants) -> Finding:
     to_prove=("lem-14", "lem-15", "prop-6", "prop-7.vertices"),
 )
 def coweights_of_a(printed: Constants) -> Finding:
-    r"""The vertex set of $\tilde A_d$ is the coweight lattice: {coweight_lattice}."""
+    r"""The vertex set of $\tilde A_d$ is {coweight_lattice?|not }the coweight lattice."""
     found = (_lattice_of_a(d) for d in range(2, 13))
     equal = all(x and x.lattice == coweight_lattice(x.triangulation.roots) for x in found)
     return agree(
@@ -215,8 +216,8 @@ def coweights_of_a(printed: Constants) -> Finding:
 
 @claim("prop-7.vertices", PROPOSITION_7, Weight.PROOF)
 def vertices_are_coweights(printed: Constants) -> Finding:
-    r"""The vertices of the fundamental simplex of $\tilde A_d$ have integer inner products with all roots:
-    {integral}."""
+    r"""The vertices of the fundamental simplex of $\tilde A_d$ {integral?have|do not have} integer inner
+    products with all roots."""
     systems = [triangulation(("A", d)) for d in range(2, 13)]
     integral = all(
         t.integral_roots(u).shape[0] == t.roots.positive_roots.shape[0]
@@ -234,8 +235,8 @@ def vertices_are_coweights(printed: Constants) -> Finding:
 
 @claim("prop-7.permutahedral", PROPOSITION_7, Weight.WORDING, to_prove=("prop-7.coweights", "thm-7"))
 def permutahedral(printed: Constants) -> Finding:
-    r"""The vertex set of $\tilde A_d$ is the dual of the root lattice ({dual}), and its Voronoi cells are
-    permutohedra ({permutohedra}): it is the permutohedral lattice."""
+    r"""The vertex set of $\tilde A_d$ is {dual?|not }the dual of the root lattice, and its Voronoi cells are
+    {permutohedra?|not }permutohedra: it is the permutohedral lattice."""
     systems = [triangulation(("A", d)) for d in range(2, 6)]
     dual = all(root_lattice(t.roots).dual() == coweight_lattice(t.roots) for t in systems)
     return agree(

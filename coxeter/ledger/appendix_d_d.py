@@ -52,7 +52,7 @@ def vertices_of_every_d(printed: Constants) -> Finding:
     to_prove=("prop-10.inclusion", "prop-10.converse"),
 )
 def vertices_of_d4(printed: Constants) -> Finding:
-    r"""The vertex set of $\tilde D_d$ for d = {d} is a lattice: {lattice}."""
+    r"""For d = {d} the vertex set of $\tilde D_d$ is {lattice?a|not a} lattice."""
     lattices = {d for d in D.dimensions if answer(D, d).is_lattice}
     if not (printed["lattice"] and lattices == {printed["d"]}):
         return corrected(EVERY_D, r"$\tilde D_4$ is, and no other.")
@@ -191,7 +191,7 @@ def _serves(pairing: tuple[int, ...], x: Point) -> bool:
     proof=("proposition_10",),
 )
 def vertices_of_d(printed: Constants) -> Finding:
-    r"""For every d from {first} on the vertex set of $\tilde D_d$ is a lattice: {lattice}."""
+    r"""From d = {first} on the vertex set of $\tilde D_d$ is {lattice?a|not a} lattice."""
     return decide(
         range_of(printed, 10, 5, lattice=False),
         EVERY_D,

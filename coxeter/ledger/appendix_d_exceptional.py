@@ -14,7 +14,7 @@ from .vocabulary import FINITE, Weight
     "prop-11", "Section 6, Proposition 11", Weight.RESULT, to_prove=("prop-11.witness", "prop-11.no-vertex")
 )
 def vertices_of_e6(printed: Constants) -> Finding:
-    r"""The vertex set of $\tilde E_6$ is a lattice: {lattice}."""
+    r"""The vertex set of $\tilde E_6$ is {lattice?a|not a} lattice."""
     return _exceptional(
         CASES[11],
         printed,
@@ -28,7 +28,7 @@ register_steps(CASES[11], NOT_A_LATTICE)
 
 @claim("prop-12", "Section 6, Proposition 12", Weight.RESULT, to_prove=("prop-12.no-vertex",))
 def vertices_of_e7(printed: Constants) -> Finding:
-    r"""The vertex set of $\tilde E_7$ is a lattice: {lattice}."""
+    r"""The vertex set of $\tilde E_7$ is {lattice?a|not a} lattice."""
     return _exceptional(
         CASES[12],
         printed,
@@ -42,7 +42,7 @@ register_steps(CASES[12], NOT_A_LATTICE)
 
 @claim("prop-13", "Section 6, Proposition 13", Weight.RESULT, to_prove=("prop-13.no-vertex",))
 def vertices_of_e8(printed: Constants) -> Finding:
-    r"""The vertex set of $\tilde E_8$ is a lattice: {lattice}."""
+    r"""The vertex set of $\tilde E_8$ is {lattice?a|not a} lattice."""
     return _exceptional(
         CASES[13],
         printed,
@@ -67,7 +67,7 @@ def _exceptional(case: Case, printed: Constants, fault: str) -> Finding:
     "prop-14", "Section 6, Proposition 14", Weight.RESULT, to_prove=("prop-14.no-vertex", "prop-14.relation")
 )
 def vertices_of_f4(printed: Constants) -> Finding:
-    r"""The vertex set of $\tilde F_4$ is a lattice: {lattice}."""
+    r"""The vertex set of $\tilde F_4$ is {lattice?a|not a} lattice."""
     found = answer(CASES[14], 4)
     good = printed["lattice"] is found.is_lattice
     return decide(
@@ -80,8 +80,8 @@ register_steps(CASES[14], tuple(step for step in NOT_A_LATTICE if step != "span"
 
 @claim("prop-14.relation", CASES[14].place, Weight.PROOF, to_prove=("prop-14.integral-roots",))
 def relation(printed: Constants) -> Finding:
-    """Half the sum with the signed indices {left} is half that with {right}, plus the vector with {root}; so
-    the roots with integer inner products with v are dependent, and their rank is {rank}."""
+    """Half of {left:signed} is half of {right:signed}, plus {root:signed}; so the roots with integer inner
+    products with v are dependent, and their rank is {rank}."""
     whole = integral_roots(CASES[14].first, witness(CASES[14], 4))
     left, right = ({"half_fixed": printed[name], "half_signs": (1, 0)} for name in ("left", "right"))
     (one,), (other,) = (listed(constants, 4, 4) for constants in (left, right))

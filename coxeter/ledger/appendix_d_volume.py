@@ -117,8 +117,7 @@ def pyramid(printed: Constants) -> Finding:
 @claim("lem-7.norm", PLACE, Weight.WORDING)
 @told
 def norm(printed: Constants) -> Finding:
-    """The height of the apex is the norm of the vector with the run of coordinates (value, count)
-    {vector}."""
+    """The height of the apex is the norm of the vector {vector:run}, in which one coordinate is repeated."""
     true = ("1", "d + 1")
     if printed["vector"] == true:
         return holds(

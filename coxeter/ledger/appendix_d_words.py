@@ -8,29 +8,27 @@ WORDS = {
     "criterion": "A point of a space of dimension {space} is a vertex of the triangulation if and only if "
     "the positive roots that have an integer inner product with it contain {rank} independent ones.",
     "roots": "The positive roots are exactly",
-    "witness": "The sum of multiples of vertices with the pairs (coefficient, index) {terms} is the vector v "
-    "with the runs of coordinates {vector}.",
+    "witness": "The combination {terms:sum} of vertices is the vector v = ({vector}).",
     "integral-roots": "The positive roots that have an integer inner product with v are exactly",
     "span": "The roots listed as having integer inner products with v span a space of dimension {dimension}, "
     "that of",
-    "no-vertex": "The vector v with the runs of coordinates {vector} is a vertex: {vertex}.",
+    "no-vertex": "The vector v = ({vector}) is {vertex?a|no} vertex.",
 }
 """What the steps say; lists follow."""
 LISTS = {
-    "single": "$e_i$ for i in the range ({single})",
-    "single_in": "$e_i$ for i in ({single_in})",
-    "double": "$2e_i$ for i in the range ({double})",
-    "minus": "$e_i-e_j$ for i < j in the range ({minus})",
-    "turned": "$e_j-e_i$ for i < j in the range ({turned})",
-    "turned_in": "$e_j-e_i$ for i < j in ({turned_in})",
-    "plus": "$e_i+e_j$ for i < j in the range ({plus})",
-    "plus_in": "$e_i+e_j$ for i < j in ({plus_in})",
-    "both": r"$e_i\pm e_j$ for i < j in the range ({both})",
-    "half_signs": r"half the sums of the $\pm e_i$ for i in the range ({half_signs}) with the signed indices "
-    "{half_fixed}",
-    "half_rest": "in these a number of minus signs that is {half_rest} modulo 2",
-    "further": "the vectors with the signed indices {further}",
-    "without": "in all of these i and j are not {without}",
+    "single": "$e_i$ for {single:i}",
+    "single_in": "$e_i$ for i = {single_in}",
+    "double": "$2e_i$ for {double:i}",
+    "minus": "$e_i-e_j$ for {minus:i<j}",
+    "turned": "$e_j-e_i$ for {turned:i<j}",
+    "turned_in": "$e_j-e_i$ for i < j among {turned_in}",
+    "plus": "$e_i+e_j$ for {plus:i<j}",
+    "plus_in": "$e_i+e_j$ for i < j among {plus_in}",
+    "both": r"$e_i\pm e_j$ for {both:i<j}",
+    "half_signs": r"half the sums of {half_fixed:signed} and all $\pm e_i$ for {half_signs:i}",
+    "half_rest": r"in these an {half_rest?odd|even} number of the signs $\pm$ is minus",
+    "further": "{further:signed}",
+    "without": "nowhere is i or j equal to {without}",
 }
 
 

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import inspect
-import re
 from collections.abc import Callable, Iterable, Mapping
 from dataclasses import dataclass, field, replace
 from functools import partial
@@ -13,6 +12,7 @@ from ..errors import CoxeterError, InvalidInput
 from ..exact import surd
 from ..families import evaluate
 from ..paper import prose
+from .phrases import fill
 from .vocabulary import LITERATURE, Strength, Verdict, Weight
 
 Constants = Mapping[str, Any]
@@ -68,7 +68,7 @@ class Claim:
     place
         Where it stands in the paper.
     words
-        The statement in our own words; the printed constants stand in it as ``{name}``.
+        The statement in our own words; the printed constants stand in it as ``{name}``, or as `phrases` says.
     weight
         What it is to a reader: a result, (a step of) a proof, or wording.
     check
@@ -100,7 +100,7 @@ class Claim:
         """The statement with other constants."""
         lost = dict.fromkeys(("formula", "decimal", "text"), "(lost in our copy)")
         known = {**lost, **constants}
-        return re.sub(r"\{(\w+)\}", lambda m: spell(known.get(m[1], m[0])), self.words)
+        return fill(self.words, known, lambda m: spell(known.get(m[1], m[0])))
 
     def judge(self, constants: Constants | None = None) -> Finding:
         """The verdict on the statement, as printed or with other constants.

@@ -25,7 +25,8 @@ def formula_claims(wanted: Callable[[PrintedFormula], bool]) -> None:
     """Enter a claim for each printed formula that is wanted."""
     records = [f for f in printed().formulas if wanted(f)]
     for id, f in zip(unique(map(_id, records)), records, strict=True):
-        words = f"the {f.quantity.replace('_', ' ')} of {family_words(f.family)}"
+        quantity = f.quantity.replace("_", " ").replace("normalized", "normalised")
+        words = f"the {quantity} of {family_words(f.family)}"
         words += f" for {f.parity} d" if f.parity else ""
         in_a_proof = ".proof" in id or ".end" in id
         kind = _kind(f)

@@ -31,7 +31,8 @@ def point_claims(wanted: Callable[[PrintedPoint], bool]) -> None:
     """Enter a claim for each printed point that is wanted."""
     records = [p for p in printed().points if wanted(p)]
     for id, p in zip(unique(map(_id, records)), records, strict=True):
-        name = p.name.replace("_", " ") + (f" {p.index}" if p.index else "")
+        index = f" $u_{{{p.index}}}$" if p.name == "vertex" else f" {p.index}" if p.index else ""
+        name = p.name.replace("_", " ") + index
         where = f" for k from {p.first} to {p.last}" if p.first else ""
         is_vertex = p.name == "vertex" and p.family != "G2"
         claim(

@@ -40,8 +40,9 @@ CONSTANTS = {
 """The entries of a record that can be moved; the other ends of a longest edge may well be as good."""
 
 WORDS = {
-    "facet": "The facet {facet} of {family} lies in the hyperplane with normal ({normal}) and value {text}.",
-    "distance": "From the vertex {vertex} of {family} to the facet {facet} it is {text}.",
+    "facet": "Facet {facet} of {family} lies in the hyperplane of the points whose product with the normal "
+    "({normal}) is {text}.",
+    "distance": "The distance from vertex {vertex} of {family} to facet {facet} is {text}.",
     "minimal": "The least heights of {family} are those from the vertices {first} to {last}.",
     "longest": "In {family} the edge from vertex {first} to vertex {last} is a longest one.",
     "level": "The normal of the facet {facet} of {family} and the point {vertex} have the inner product "
@@ -49,6 +50,7 @@ WORDS = {
     "product": "The normal ({normal}) and the point {vertex} of {family} have the inner product {text}.",
     "space": "The vertices of {family} are given in a space of dimension {text}.",
 }
+ONE_HEIGHT = "The least height of {family} is that from vertex {first}."
 SECOND_ROUTE = 8
 """Up to this d the core computes what symbolic vectors prove for every d."""
 
@@ -77,10 +79,11 @@ def _id(s: PrintedStatement) -> str:
 
 def _words(s: PrintedStatement) -> str:
     """The statement; what can be moved remains to be filled in."""
-    words = WORDS[s.kind].replace("{family}", family_words(s.family))
+    one = s.kind == "minimal" and s.first == s.last
+    words = (ONE_HEIGHT if one else WORDS[s.kind]).replace("{family}", family_words(s.family))
     for name in {"facet", "vertex", "first", "last", "normal"} - _constants(s).keys():
         words = words.replace(f"{{{name}}}", spell(getattr(s, name)))
-    return words + (f" (k from {s.first} to {s.last})" if s.kind == "facet" and s.first else "")
+    return words[:-1] + (f" for k from {s.first} to {s.last}." if s.kind == "facet" and s.first else ".")
 
 
 def _constants(s: PrintedStatement) -> dict[str, Any]:

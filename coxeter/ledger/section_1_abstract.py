@@ -51,21 +51,21 @@ def one_simplex(printed: Constants) -> Finding:
 
 @claim("sec1.abstract.quality-rate", "Abstract", WORDING, to_state=["def-1"])
 def quality_rate(printed: Constants) -> Finding:
-    """The quality of the simplices of all Coxeter triangulations is {bound} of d to the power {exponent},
-    times that of the regular simplex."""
+    """The quality of the simplices of every Coxeter triangulation is {bound}(d^({exponent})) times that of
+    the regular simplex."""
     return explained(judge_quality(printed), bounds_for_all())
 
 
 @claim("sec1.abstract.protection-rate", "Abstract", WORDING)
 def protection_rate(printed: Constants) -> Finding:
-    """The protection {bound} of d to the power {exponent} is achieved by this many families: {families}."""
+    """A protection of {bound}(d^({exponent})) is achieved by {families:words} family of triangulations."""
     return judge_protection(printed, families=len(protected_families()) if formula_is_protection() else 0)
 
 
 @claim("sec1.abstract.conjecture", "Abstract", RESULT)
 def both_conjectures(printed: Constants) -> Finding:
-    """Conjecture: in space of any dimension no triangulation is of better order than d to the power
-    {quality_exponent} in quality, and than d to the power {protection_exponent} in protection."""
+    """Conjecture: in space of any dimension no triangulation has a quality of better order than
+    d^({quality_exponent}), or a protection of better order than d^({protection_exponent})."""
     true = {"quality_exponent": quality_exponent(), "protection_exponent": protection_exponent()}
     finding = agree(printed, true, EVERY_D)
     if not finding.verdict.accepts:

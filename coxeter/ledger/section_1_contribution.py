@@ -47,7 +47,7 @@ def dobkin_table(printed: Constants) -> Finding:
 
 @claim("sec1.rate-of-families", "Section 1.4", WORDING, to_state=["def-1"])
 def rate_of_families(printed: Constants) -> Finding:
-    """The measures of Definition 18 behave, in the four families, as {bound} of d to the power {exponent}."""
+    """In the four families the measures of Definition 18 behave as {bound}(d^({exponent}))."""
     raw, all_equal = exponents(""), set(exponents().values())
     finding = judge_quality(printed, normalised=len(all_equal) == 1 and len(set(raw.values())) > 1)
     powers = ", ".join(f"{m.replace('_', ' ')} {e}" for m, e in raw.items())
@@ -66,7 +66,7 @@ def quality_conjecture(printed: Constants) -> Finding:
 
 @claim("sec1.relative-protection", "Section 1.4", WORDING, to_state=["sec1.protection"])
 def relative_protection(printed: Constants) -> Finding:
-    """The relative protection of the triangulation of type A~ is {bound} of d to the power {exponent}."""
+    """The relative protection of the triangulation of type A~ is {bound}(d^({exponent}))."""
     return judge_protection(printed)
 
 

@@ -98,7 +98,7 @@ def protection_gives_quality(printed: Constants) -> Finding:
 @claim("sec1.perturbation-algorithms", "Section 1.1", RESULT, to_state=["sec1.protection"])
 def perturbation_algorithms(printed: Constants) -> Finding:
     """Known perturbation algorithms turn a net into a protected one, but guarantee only a protection of the
-    order of two to the power of minus d squared, times ε."""
+    order of $2^{-d^2}$ times ε."""
     weaker = all(
         closed_form("A", "relative_protection").at(d) > Fraction(1, 2 ** (d * d)) for d in range(2, 25)
     )
@@ -112,8 +112,8 @@ def perturbation_algorithms(printed: Constants) -> Finding:
 
 @claim("sec1.A-protection", "Section 1.1", WORDING, to_state=["sec1.protection"])
 def protection_of_a(printed: Constants) -> Finding:
-    """The triangulation of type A~ is Delaunay, and its protection is {bound} of d to the power {exponent},
-    times the radius ε of the net."""
+    """The triangulation of type A~ is Delaunay, and its protection is {bound}(d^({exponent})) times the
+    radius ε of the net."""
     delaunay = all(bool(delaunay_verdict(t)) for t in of_type("A", 12))
     return judge_protection(printed, delaunay=delaunay and formula_is_protection())
 

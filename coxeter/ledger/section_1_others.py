@@ -21,7 +21,7 @@ RESULT, WORDING = Weight.RESULT, Weight.WORDING
 
 @claim("sec1.dobkin.neighbour", "Section 1.2", RESULT, to_state=["def-1"])
 def easy_neighbour(printed: Constants) -> Finding:
-    """The simplex beyond a facet is easily found: it has {new_vertices} new vertex, a mirror image."""
+    """The simplex beyond a facet is easily found: it has {new_vertices:words} new vertex, a mirror image."""
     true = {
         sum(f.reflect(v) != v for v in t.simplex.vertex_matrix.rows()) for t in all_types(6) for f in t.facets
     }

@@ -124,7 +124,7 @@ def _shares_of_samples() -> tuple[Surd, Surd]:
 @claim("sec1.bcc-samples", "Section 1.2", WORDING, to_state=["sec1.bcc", "sec1.bcc-covering"])
 def bcc_samples(printed: Constants) -> Finding:
     """Sampling on the body-centred cubic lattice needs about {percent} % fewer samples than on the cubic
-    one, because of this property of the lattice: {reason}."""
+    one; the reason given is its {reason}."""
     shares = _shares_of_samples()
     band, cover = ((100 - 100 * x).decimal(1) for x in shares)
     true = {"percent": band, "reason": "its reciprocal lattice is a dense packing"}
@@ -173,7 +173,7 @@ def _scale(piece: Simplex, whole: Simplex) -> Surd | None:
 
 @claim("sec1.bcc-division", "Section 1.2", RESULT, to_state=["sec1.sommerville"])
 def bcc_division(printed: Constants) -> Finding:
-    """The tetrahedron of A~3 can be divided into {pieces} copies of itself, scaled by {scale}."""
+    """The tetrahedron of A~3 can be divided into {pieces:words} copies of itself, scaled by {scale}."""
     pieces, scales = _division()
     (scale,) = scales
     return agree(

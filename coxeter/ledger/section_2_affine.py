@@ -43,8 +43,8 @@ def definition_13(printed: Constants) -> Finding:
 
 @claim("def-14", "Section 2.4, Definition 14", RESULT, to_state=["def-10", "def-13"])
 def definition_14(printed: Constants) -> Finding:
-    """The reflection in the hyperplane of r and k takes from x the coroot of r, times the product of x and
-    r less k, times {coefficient}."""
+    """The reflection in the hyperplane of r and k takes from x the coroot of r, multiplied by {coefficient}
+    and by the product of x and r less k."""
     r, k, x = point(1, 2), 3, point(5, 7)
     moved = affine_reflection(r, k, x)[0] - x[0]
     level, coroot = inner(r, x) - k, 2 * r[0] / inner(r, r)
@@ -245,7 +245,7 @@ def _volumes_agree() -> bool:
 
 @claim("prop-6", "Section 2.4, Proposition 6", RESULT, to_state=["def-15.inequalities"])
 def proposition_6(printed: Constants) -> Finding:
-    """For any two alcoves just one element of the affine Weyl group carries one to the other."""
+    """For any two alcoves exactly one element of the affine Weyl group carries one to the other."""
     return quoted(
         agree(printed, {"simply_transitive": _volumes_agree()}, LITERATURE),
         "Humphreys, Sections 4.3 (transitive) and 4.5 (simply).",

@@ -25,8 +25,8 @@ RESULT, WORDING = Weight.RESULT, Weight.WORDING
 
 @claim("sec2.sign", "Section 2.2, before Definition 7", WORDING, to_state=["sec2.reflection"])
 def sign_of_difference(printed: Constants) -> Finding:
-    """The reflection in r moves s by r, times the product of r and s over that of r with itself, times
-    {factor}."""
+    """The reflection in r adds to s the root r, multiplied by {factor} and by the product of r and s over
+    that of r with itself."""
     r, s = (1, 0), (1, 1)
     moved = affine_reflection(r, 0, s)[0] - s[0]
     finding = agree(
@@ -61,7 +61,7 @@ def _squared_cosine(r: tuple[Fraction, ...], s: tuple[Fraction, ...]) -> Fractio
 
 @claim("sec2.product", "Section 2.2, after Definition 7", RESULT, to_state=["def-7"])
 def product_of_cartan_integers(printed: Constants) -> Finding:
-    """The square of the cosine of the angle between r and s, times {factor}, is n(s, r) n(r, s)."""
+    """For the angle $\\varphi$ between r and s, {factor} times $\\cos^2\\varphi$ is n(s, r) n(r, s)."""
     true = {
         cartan_integer(s, r) * cartan_integer(r, s) / _squared_cosine(r, s)
         for r, s in product(root_system("G2").roots.rows(), repeat=2)
@@ -133,8 +133,8 @@ for _number in range(1, 10):
         f"tab-angles.{_number}",
         f"Section 2.2, table of angles, row {_number}",
         RESULT,
-        words="Two roots with $4\\cos^2\\varphi$ = {product} have n(s, r) = {n_sr} and n(r, s) = {n_rs}, the "
-        "angle {angle} times π, and the quotient of lengths |s|/|r| is {ratio}.",
+        words="Two roots with $4\\cos^2\\varphi$ = {product} have n(s, r) = {n_sr} and n(r, s) = {n_rs}; "
+        "their angle is {angle:pi}, and the quotient |s|/|r| of their lengths is {ratio}.",
         to_state=["def-7"],
         to_prove=["sec2.product"],
     )(partial(angle_row, _number))
@@ -164,7 +164,7 @@ def angle_column(printed: Constants) -> Finding:
     to_prove=["sec2.product"],
 )
 def table_is_complete(printed: Constants) -> Finding:
-    """Up to symmetry there are {rows} cases for two roots."""
+    """Up to symmetry there are {rows:words} cases for two roots."""
     integers = [(a, b) for a in range(-4, 5) for b in range(-4, 5) if 0 <= a * b <= 4 and abs(a) >= abs(b)]
     possible = {(a, b) for a, b in integers if bool(a) == bool(b) and (a * b < 4 or a == b)}
     occurring = {(row.n_sr, row.n_rs) for row in angle_rows()}

@@ -32,8 +32,8 @@ def families_of_definite_trees() -> tuple[str, ...]:
 
 @claim("thm-2", "Section 2.2, Theorem 2", RESULT, to_state=["def-8"], to_prove=["sec2.definite-graphs"])
 def theorem_2(printed: Constants) -> Finding:
-    """The Coxeter diagrams of crystallographic, reduced, irreducible root systems are those of {types},
-    $B_d$ standing for $C_d$ too."""
+    """The Coxeter diagrams of crystallographic, reduced, irreducible root systems are those of {types}; the
+    diagram of $B_d$ stands for $C_d$ too."""
     finding = agree(
         printed, {"types": families_of_definite_trees()}, EVERY_D,
         "The form with $-2\\cos\\frac\\pi m$ for an edge with label m is that of the simple roots, scaled "

@@ -56,7 +56,8 @@ def length_ratios(printed: Constants) -> Finding:
 
 @claim("sec2.two-lengths", "Section 2.2, with footnote 1", RESULT, to_prove=["sec2.length-ratios"])
 def two_lengths(printed: Constants) -> Finding:
-    """There are at most {lengths} lengths of roots, as three would have a quotient such as {excluded}."""
+    """Roots have at most {lengths:words} different lengths, as three would have a quotient such as
+    {excluded}."""
     ratios = _ratios()
     most = max(len(set(s.squared_lengths)) for s in systems(8))
     excluded = tuple(str(x) for x in (ratios[-1] * ratios[-2], ratios[-1] / ratios[-2]) if x not in ratios)
@@ -99,7 +100,7 @@ def cartan_integers_of_simple_roots(printed: Constants) -> Finding:
 
 @claim("sec2.simple-angles", "Section 2.2", WORDING, to_state=["def-7"], to_prove=["sec2.simple-integers"])
 def angles_of_simple_roots(printed: Constants) -> Finding:
-    """The angle of {of} is among {angles}, times π."""
+    """The angle of {of} is one of {angles:pi}."""
     by_integers = {row.n_sr * row.n_rs: row.angle for row in angle_rows() if row.n_sr <= 0}
     true = tuple(str(x) for x in sorted({by_integers[a * b] for a, b in _simple_pairs()}))
     return _of_simple_roots(printed, "angles", true, "All of them occur; computed up to rank 8.")

@@ -91,8 +91,9 @@ def _is_reflection(coefficient: int) -> bool:
 
 @claim("sec2.sigma", "Section 2.1", RESULT, to_state=["def-2.form"])
 def sigma(printed: Constants) -> Finding:
-    """The map that takes away from x its product with $e_i$, times {coefficient}, times $e_i$, is the
-    reflection in the hyperplane orthogonal to $e_i$, if the form is positive definite."""
+    """If the form is positive definite, the map that takes from x the vector $e_i$, multiplied by
+    {coefficient} and by the product of x and $e_i$, is the reflection in the hyperplane orthogonal to $e_i$.
+    """
     true = {c for c in range(-3, 4) if c and _is_reflection(c)}
     return agree(
         printed, {"coefficient": min(true)}, EVERY_D,
@@ -143,8 +144,8 @@ def _theorem_1() -> bool:
 
 @claim("thm-1", "Section 2.1, Theorem 1", RESULT, to_state=["def-2.form", "def-3"])
 def theorem_1(printed: Constants) -> Finding:
-    """For a connected graph it is the same that the form is positive definite, that there are finitely many
-    roots, and that the Weyl group is finite."""
+    """For a connected graph three things are equivalent: the form is positive definite, there are finitely
+    many roots, and the Weyl group is finite."""
     return quoted(
         agree(
             printed, {"equivalent": _theorem_1()}, LITERATURE,
@@ -169,7 +170,7 @@ def _orders() -> tuple[tuple[str, int, int], ...]:
 
 @claim("prop-1", "Section 2.1, Proposition 1", RESULT, to_state=["def-3"])
 def proposition_1(printed: Constants) -> Finding:
-    """For a graph with positive definite form the Weyl group acts simply transitively on this:
+    """For a graph with positive definite form the Weyl group acts simply transitively on the
     {acts_simply_transitively_on}."""
     root, mirror = (1, -1, 0, 0), (0, 0, 1, -1)
     fixed = affine_reflection(mirror, 0, root) == tuple(map(Fraction, root))

@@ -87,8 +87,8 @@ def dual_root_system(printed: Constants) -> Finding:
 
 @claim("fig-1", "Section 2.3, Figure 1", RESULT, to_state=["def-4", "def-14"], to_prove=["thm-2"])
 def figure_1(printed: Constants) -> Finding:
-    """There are {systems} root systems in the plane; the hyperplanes cut it into figures with
-    {alcove_sides} sides."""
+    """There are {systems:words} root systems in the plane; the hyperplanes cut it into figures with
+    {alcove_sides:words} sides."""
     pairs = {frozenset((a, b)) for a in range(-3, 0) for b in range(-3, 0) if a * b < 4}
     rank_2 = [s for s in systems(2) if s.rank == 2]
     found = {frozenset((int(s.cartan_matrix[0, 1]), int(s.cartan_matrix[1, 0]))) for s in rank_2}
@@ -133,8 +133,8 @@ def _product_with_coroot(x: tuple[int, ...], r: tuple[int, ...]) -> Fraction:
 
 @claim("rem-2", "Section 2.3, Remark 2", WORDING, to_state=["def-7", "def-10"])
 def remark_2(printed: Constants) -> Finding:
-    """The Cartan integer n(r, s) of Definition 7 is the product of one of r and s with the coroot of the
-    other: the coroot is that of argument number {argument}."""
+    """The Cartan integer n(r, s) of Definition 7 is the product of one of its arguments with the coroot of
+    the other; the coroot is that of argument number {argument}."""
     r, s = (1, 0), (1, 1)
     with_coroot = [_product_with_coroot(s, r), _product_with_coroot(r, s)]  # of the first, of the second
     true = [number for number, value in enumerate(with_coroot, 1) if value == cartan_integer(r, s)]
@@ -176,8 +176,7 @@ def _in_span(system: RootSystem, x: tuple[Fraction, ...]) -> bool:
 
 @claim("def-12", "Section 2.3, Definition 12", WORDING, to_state=["def-9", "def-11"])
 def definition_12(printed: Constants) -> Finding:
-    """The points of this space, {space}, that have integer products with all coroots, or with all roots,
-    are a lattice."""
+    """The points of {space} that have integer products with all coroots, or with all roots, are a lattice."""
     a1 = root_system("A1")
     outside = [point(1, 1), point(Fraction(1, 3), Fraction(1, 3))]
     integral = all(inner(x, r).denominator == 1 for x in outside for r in a1.coroots.rows())

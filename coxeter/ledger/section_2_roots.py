@@ -23,8 +23,8 @@ CROSS = ((1, 0), (-1, 0), (0, 5), (0, -5))
 
 @claim("sec2.reflection", "Section 2.2", RESULT)
 def reflection(printed: Constants) -> Finding:
-    """The reflection in the hyperplane orthogonal to r takes from x the product of x and r over that of r
-    with itself, times {factor}, times r."""
+    """The reflection in the hyperplane orthogonal to r takes from x the vector r, multiplied by {factor} and
+    by the product of x and r over that of r with itself."""
     r = (1, 2)
     image = affine_reflection(r, 0, r)
     true = {f for f in range(-4, 5) if tuple((1 - f) * x for x in r) == image}
@@ -59,7 +59,7 @@ def in_the_span(printed: Constants, name: str, what: str, *derivation: str) -> F
 
 @claim("def-4", "Section 2.2, Definition 4", WORDING, to_state=["sec2.reflection"])
 def root_systems(printed: Constants) -> Finding:
-    """A root system does not contain 0, and contains a basis of this space: {spanned}."""
+    """A root system does not contain 0, and contains a basis of {spanned}."""
     return in_the_span(
         printed, "spanned", "It contains a basis of its own span,",
         "Lemma 2, Definitions 9 and 12, Proposition 5 and Corollary 1 are to be read in the same way.",

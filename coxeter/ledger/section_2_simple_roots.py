@@ -43,7 +43,7 @@ def _leaves_simple_roots(summands: int) -> bool:
 
 @claim("def-5", "Section 2.2, Definition 5", WORDING, to_state=["def-5.halves"])
 def simple_roots(printed: Constants) -> Finding:
-    """A positive root is simple if it is no sum of {summands} positive roots."""
+    """A positive root is simple if it is no sum of {summands:words} positive roots."""
     true = min(n for n in range(1, 4) if _leaves_simple_roots(n))
     return agree(
         printed, {"summands": true}, EVERY_D,
@@ -54,7 +54,7 @@ def simple_roots(printed: Constants) -> Finding:
 
 @claim("def-5.halves", "Section 2.2, Definition 5", WORDING, to_state=["def-4"])
 def halves(printed: Constants) -> Finding:
-    """A vector that is orthogonal to no root splits the roots into {parts} parts, the positive and the
+    """A vector that is orthogonal to no root splits the roots into {parts:words} parts, the positive and the
     negative ones."""
     signs = set()
     for s in systems(6):
@@ -91,7 +91,7 @@ def _images_of_simple_roots(system: RootSystem) -> set[frozenset[tuple[int, ...]
 
 @claim("lem-1", "Section 2.2, Lemma 1", RESULT, to_state=["def-5"])
 def lemma_1(printed: Constants) -> Finding:
-    """For any two sets of simple roots just one element of the Weyl group carries one to the other."""
+    """For any two sets of simple roots exactly one element of the Weyl group carries one to the other."""
     return quoted(
         agree(printed, {"simply_transitive": simple_sets()}, LITERATURE),
         "Humphreys, Section 1.8.",
@@ -131,7 +131,7 @@ def simple_roots_are_obtuse(printed: Constants) -> Finding:
 
 @claim("lem-2.basis", "Section 2.2, Lemma 2", WORDING, to_state=["def-4", "def-5"])
 def simple_roots_are_a_basis(printed: Constants) -> Finding:
-    """The simple roots are a basis of this space: {basis_of}."""
+    """The simple roots are a basis of {basis_of}."""
     return in_the_span(
         printed, "basis_of", "They are a basis of the span of the roots,",
         "Vectors on one side of a hyperplane with products ≤ 0 are linearly independent (Humphreys, "
@@ -170,7 +170,7 @@ def whole_coefficients(printed: Constants) -> Finding:
 
 @claim("def-6.signs", "Section 2.2, Definition 6", RESULT, to_state=["def-5", "def-6.integers"])
 def signs_of_coefficients(printed: Constants) -> Finding:
-    """Positive are just the roots with coefficients of at least {least_coefficient}."""
+    """The positive roots are exactly those all of whose coefficients are at least {least_coefficient}."""
     least = min(int(s.positive_root_coordinates.min()) for s in systems(8))
     both = {(c > 0) - (c < 0) for s in systems(4) for r in s.roots.rows() for c in s.coordinates(r)}
     return agree(

@@ -113,7 +113,7 @@ def affine_g2(printed: Constants) -> Finding:
 
 @claim("fig-2.plane", "Section 2.4, Figure 2", RESULT, to_prove=["thm-4"])
 def figure_2_plane(printed: Constants) -> Finding:
-    """There are {triangulations} Coxeter triangulations of the plane."""
+    """There are {triangulations:words} Coxeter triangulations of the plane."""
     names = [t.name for t in all_types(2)]
     return agree(
         printed,
@@ -162,8 +162,8 @@ def _places() -> tuple[tuple[str, tuple[str, ...]], ...]:
 
 @claim("fig-2.space", "Section 2.4, Figure 2", RESULT, to_prove=["thm-4"])
 def figure_2_space(printed: Constants) -> Finding:
-    """The simplices of the {simplices} Coxeter triangulations of space have their vertices at these places
-    of a cube: {places}."""
+    """The simplices of the {simplices:words} Coxeter triangulations of space have their vertices at the
+    following places of a cube: {places}."""
     used = {place for _, places in _places() for place in places}
     true = {"simplices": len(_places()), "places": tuple(place for place in KINDS if place in used)}
     each = [f"{name}: {', '.join(places)}" for name, places in _places()]
@@ -185,7 +185,7 @@ def _angles() -> dict[Fraction, tuple[str, ...]]:
 
 @claim("rem-3", "Section 2.4, Remark 3", RESULT, to_state=["def-16"], to_prove=["thm-4"])
 def remark_3(printed: Constants) -> Finding:
-    """The dihedral angles of the simplices of Coxeter triangulations are among {angles}, times π."""
+    """The dihedral angles of the simplices of Coxeter triangulations are among {angles:pi}."""
     attained = "; ".join(f"{angle}: first in {names[0]}" for angle, names in _angles().items())
     return agree(
         printed, {"angles": tuple(map(str, _angles()))}, EVERY_D,

@@ -40,7 +40,7 @@ def judge_definition(measure: str, printed: Constants) -> Finding:
 
 @claim("def-18", "Section 3, Definition 18", Weight.RESULT)
 def measures(printed: Constants) -> Finding:
-    """The measures considered are these {number}: aspect ratio, fatness, thickness and radius ratio."""
+    """The {number:words} measures considered are aspect ratio, fatness, thickness and radius ratio."""
     scaled = all(
         normalised(name, Simplex([[3 * x for x in v] for v in simplex.vertex_matrix.rows()]))
         == normalised(name, simplex)
@@ -113,7 +113,8 @@ _THEOREM_5 = tuple(f"thm-5.{name.replace(' ', '-')}" for name in PROOFS)
     to_prove=_THEOREM_5,
 )
 def theorem_5(printed: Constants) -> Finding:
-    """In {number} measures, all of Definition 18, the regular d-simplex has the greatest value of any."""
+    """In all {number:words} measures of Definition 18 the regular d-simplex has the greatest value of any
+    d-simplex."""
     best = [name for name in NAMES if greatest(name) == 1 and identities()[name]]
     return agree(
         printed,
@@ -164,10 +165,8 @@ def _values_taken() -> dict[str, object]:
 )
 @told
 def range_of_values(printed: Constants) -> Finding:
-    """For d >= {from_d} the normalised measures take all values between {ends} and no others.
-
-    Whether the ends themselves are taken: {taken}.
-    """
+    """From d = {from_d} on the values of the normalised measures are exactly those between {ends:and},
+    {taken:ends}."""
     if not all(values_towards_zero().values()):
         return fails(INSTANCES, "squeezing does not bring a measure near 0", "nothing")
     found = agree(printed, _values_taken(), EVERY_D)

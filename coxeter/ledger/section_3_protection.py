@@ -30,7 +30,7 @@ def _distances(name: str) -> tuple[Surd, Surd, Surd]:
 
 @claim("sec3.some-delaunay", "Section 3, before Definition 19", Weight.WORDING)
 def some_are_delaunay(printed: Constants) -> Finding:
-    """Some of the Coxeter triangulations are Delaunay; it is {all} that all of them are."""
+    """{all?All|Some, but not all,} Coxeter triangulations are Delaunay."""
     empty = [k.affine for k in triangulations_up_to(4) if powers_in_patch(k.affine)[0] >= 0]
     others = [k.affine for k in triangulations_up_to(4) if powers_in_patch(k.affine)[0] < 0]
     lines = f"Up to dimension 4, from patches: {', '.join(empty)} are Delaunay, {', '.join(others)} are not."
@@ -43,7 +43,8 @@ def some_are_delaunay(printed: Constants) -> Finding:
 def distance(printed: Constants) -> Finding:
     """The protection of a simplex is the infimum of the distances of other vertices from its ball.
 
-    It is {attained} that the infimum is attained, so that the word minimum is right.
+    The infimum {attained?is attained, so that it may be called a|need not be attained, so that it is no}
+    minimum.
     """
     agree_twice = all(first == second for first, second, _ in map(_distances, DELAUNAY))
     library = all(protection(triangulation(n)).absolute == _distances(n)[0] for n in DELAUNAY)

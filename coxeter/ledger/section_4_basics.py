@@ -47,7 +47,8 @@ WALK = (
 
 @claim("sec4.no-boundary", "Section 4, introduction", Weight.WORDING)
 def no_boundary(printed: Constants) -> Finding:
-    """The triangulations meant are infinite and have no boundary: each facet belongs to {sides} simplices."""
+    """The triangulations meant are infinite and have no boundary: each facet belongs to {sides:words}
+    simplices."""
     coxeter = {len(k) for name in SMALLEST for k in _simplices_at_inner_facets(name)}
     found = coxeter | trapezoids().sides
     sides = found.pop() if len(found) == 1 else tuple(sorted(found))
@@ -71,7 +72,8 @@ def _simplices_at_inner_facets(name: str) -> list[list[int]]:
 
 @claim("sec4.monohedral", "Section 4, introduction", Weight.WORDING)
 def monohedral(printed: Constants) -> Finding:
-    """A triangulation is monohedral if its d-simplices are congruent: classes of congruence: {classes}."""
+    """A triangulation is monohedral if its d-simplices are congruent. The number of their congruence classes
+    is {classes}."""
     kinds = {name: {squared_edges(s) for s in patch(name, 2)} for name in SMALLEST}
     thirds, _, _ = cut_from_the_centres()
     classes = {len(kind) for kind in kinds.values()} | {len(thirds)}
@@ -96,7 +98,7 @@ def monohedral(printed: Constants) -> Finding:
 def finite_inapplicable(printed: Constants) -> Finding:
     """With finitely many vertices, the greater part of what the section proves fails or says nothing.
 
-    That is, of its seven results: Lemmas 3 to 6, Corollary 2 and Theorems 6 and 7.
+    Its seven results are Lemmas 3 to 6, Corollary 2 and Theorems 6 and 7.
     """
     alone = position(Simplex(OBTUSE).circumcentre_coordinates) is Position.OUTSIDE
     large, small = (point(0, 0), point(4, 0), point(2, 2)), (point(4, 0), point(2, 2), point(4, 2))
@@ -124,7 +126,8 @@ def show_all(vertices: tuple[Point, ...]) -> str:
 
 @claim("def-20", "Section 4, Definition 20", Weight.RESULT)
 def self_centred(printed: Constants) -> Finding:
-    """Self-centred: the circumcentre is not outside the simplex; it is {boundary} that boundaries count."""
+    """A simplex is self-centred if its circumcentre lies in it, where its boundary {boundary?counts|does not
+    count}."""
     if not _coordinates_are_heights():
         raise BrokenTool("barycentric coordinates and heights of a circumcentre differ")
     flat = [kind for kind in SMALL if position_of(kind) is Position.BOUNDARY]

@@ -59,7 +59,7 @@ def monohedral_ones_are_delaunay() -> bool:
 
 @claim("lem-3", "Section 4, Lemma 3", Weight.RESULT, to_state=["def-20"])
 def rajan(printed: Constants) -> Finding:
-    """It is {delaunay} that a triangulation of R^d by self-centred simplices only is Delaunay."""
+    """A triangulation of R^d by self-centred simplices only {delaunay?is|need not be} Delaunay."""
     if not power_identity_holds():
         raise BrokenTool("identity (P) fails")
     return agree(
@@ -81,7 +81,8 @@ def rajan(printed: Constants) -> Finding:
     to_prove=["lem-3"],
 )
 def one_simplex(printed: Constants) -> Finding:
-    """To see that a monohedral triangulation is Delaunay, {number} self-centred simplex in it is enough."""
+    """To see that a monohedral triangulation is Delaunay, it is enough to find {number:words} self-centred
+    simplex in it."""
     positions = [
         {position(Simplex(tuple(s)).circumcentre_coordinates) for s in patch(n, 2)} for n in SMALLEST
     ]
@@ -105,7 +106,7 @@ def one_simplex(printed: Constants) -> Finding:
     to_prove=["lem-3"],
 )
 def corollary_2(printed: Constants) -> Finding:
-    """It is {delaunay} that a monohedral triangulation of R^d with a self-centred simplex is Delaunay."""
+    """A monohedral triangulation of R^d with a self-centred simplex {delaunay?is|need not be} Delaunay."""
     return agree(
         printed,
         {"delaunay": monohedral_ones_are_delaunay()},
@@ -189,7 +190,7 @@ def lemma_4(printed: Constants) -> Finding:
 
 @claim("sec4.finite-sets", "Section 4, after Lemma 4", Weight.WORDING, to_state=["lem-4"])
 def finite_sets(printed: Constants) -> Finding:
-    """It is {extends} that Lemma 4 extends to Delaunay triangulations of finite sets of points."""
+    """Lemma 4 {extends?extends|does not extend} to Delaunay triangulations of finite sets of points."""
     extends = position(Simplex(OBTUSE).circumcentre_coordinates) is not Position.OUTSIDE
     return agree(
         printed,
@@ -202,7 +203,8 @@ def finite_sets(printed: Constants) -> Finding:
 
 @claim("sec4.same-circumradius", "Section 4, after Lemma 4", Weight.PROOF, to_state=["sec4.monohedral"])
 def same_circumradius(printed: Constants) -> Finding:
-    """The simplices of a monohedral triangulation have {number} circumradius, which so is the largest."""
+    """The number of different circumradii in a monohedral triangulation is {number}, so that every simplex
+    has the largest circumradius."""
     radii = [{Simplex(tuple(s)).squared_circumradius for s in patch(name, 2)} for name in SMALLEST]
     return agree(
         printed,
@@ -220,7 +222,7 @@ def same_circumradius(printed: Constants) -> Finding:
     to_prove=["sec4.same-circumradius", "lem-4"],
 )
 def not_self_centred(printed: Constants) -> Finding:
-    """It is {possible} that a monohedral triangulation can be Delaunay without self-centred simplices."""
+    """A monohedral triangulation {possible?can|cannot} be Delaunay unless its simplices are self-centred."""
     found = agree(printed, {"possible": not _others_are_not_delaunay()}, EVERY_D)
     return _with_lemma_4_prime() if found.verdict.accepts else found
 
@@ -259,7 +261,7 @@ def _with_lemma_4_prime(*more: str) -> Finding:
     to_prove=["cor-2", "sec4.not-self-centred"],
 )
 def theorem_6(printed: Constants) -> Finding:
-    """It is {agree} that a monohedral triangulation is Delaunay exactly if its simplices are self-centred."""
+    """{agree?A|Not every} monohedral triangulation is Delaunay exactly if its simplices are self-centred."""
     both = monohedral_ones_are_delaunay() and _others_are_not_delaunay() and mirror_factors() == {4}
     found = agree(printed, {"agree": both}, EVERY_D)
     if not found.verdict.accepts:

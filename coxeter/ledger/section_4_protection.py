@@ -24,7 +24,7 @@ _LEMMA_5_STEPS = ("lem-5.o-is-c", "lem-5.larger-radius", "lem-5.same-ball", "lem
 def lemma_5(printed: Constants) -> Finding:
     """Let a simplex of largest circumradius have its circumcentre on its boundary.
 
-    It is {protected} that the Delaunay triangulation of R^d to which it belongs is protected.
+    Then the Delaunay triangulation of R^d to which it belongs is {protected?protected|not protected}.
     """
     pairs = boundary_pairs()
     if not (pairs and power_identity_holds()):
@@ -57,7 +57,7 @@ def lemma_5(printed: Constants) -> Finding:
 def converse(printed: Constants) -> Finding:
     """For monohedral triangulations Lemma 6 gives the converse of Lemma 5.
 
-    Without protection the circumcentre of a Delaunay one is on the {where}.
+    If a Delaunay one is not protected, its circumcentres lie on the {where}.
     """
     found = {position_of(kind.affine) for kind in triangulations_up_to(8) if _is_unprotected_delaunay(kind)}
     found |= {t.position for t in half_turn_tilings() if t.least_power == 0}
@@ -170,9 +170,8 @@ def _strict_in_words(harmonic: tuple[Fraction, ...], powers: tuple[Fraction, ...
 
 @claim("lem-6", "Section 4, Lemma 6", Weight.RESULT, to_state=["def-19.protected"], to_prove=["lem-6.strict"])
 def lemma_6(printed: Constants) -> Finding:
-    """Let a simplex of a monohedral triangulation of R^d have its circumcentre strictly inside.
-
-    It is {delaunay} that the triangulation is Delaunay, and {protected} that it has a positive protection.
+    """Let a simplex of a monohedral triangulation of R^d have its circumcentre strictly inside. Then the
+    triangulation {delaunay?is|need not be} Delaunay, and its protection {protected?is|need not be} positive.
     """
     truth = {"delaunay": monohedral_ones_are_delaunay(), "protected": _bound_holds()}
     found = agree(printed, truth, EVERY_D)

@@ -30,7 +30,7 @@ _FOLDING = (
 
 @claim("sec4.coxeter-monohedral", "Section 4, before Theorem 7", Weight.RESULT, to_state=["sec4.monohedral"])
 def coxeter_monohedral(printed: Constants) -> Finding:
-    """Coxeter triangulations are monohedral: their simplices form {classes} class."""
+    """Coxeter triangulations are monohedral: their simplices form {classes:words} class."""
     names = [kind.affine for kind in triangulations_up_to(3)]
     classes = {len({_invariants(s) for s in patch(name, 2)}) for name in names}
     return agree(
@@ -69,7 +69,7 @@ def _agrees_with_patch(kind: Type) -> bool:
     to_prove=["thm-6"],
 )
 def theorem_7_outside(printed: Constants) -> Finding:
-    """It is {delaunay} that a Coxeter triangulation with a simplex that is not self-centred is Delaunay."""
+    """A Coxeter triangulation with a simplex that is not self-centred is {delaunay?|not }Delaunay."""
     kinds = _kinds(Position.OUTSIDE)
     inside = all(min(mirror_powers(triangulation(k))) < 0 and _agrees_with_patch(k) for k in kinds)
     return agree(
@@ -92,7 +92,7 @@ def theorem_7_outside(printed: Constants) -> Finding:
 def theorem_7_boundary(printed: Constants) -> Finding:
     """Let a simplex of a Coxeter triangulation have its circumcentre on its boundary.
 
-    It is {delaunay} that the triangulation is Delaunay, and its protection is {protection}.
+    Then the triangulation is {delaunay?|not }Delaunay, and its protection is {protection}.
     """
     kinds = _kinds(Position.BOUNDARY)
     least = {min(mirror_powers(triangulation(k))) for k in kinds}
@@ -120,10 +120,8 @@ def theorem_7_boundary(printed: Constants) -> Finding:
     to_prove=["lem-6", "sec4.coxeter-monohedral"],
 )
 def theorem_7_inside(printed: Constants) -> Finding:
-    """Let a simplex of a Coxeter triangulation have its circumcentre strictly inside.
-
-    It is {delaunay} that the triangulation is Delaunay, and {protected} that its protection is not zero.
-    """
+    """Let a simplex of a Coxeter triangulation have its circumcentre strictly inside. Then the triangulation
+    is {delaunay?|not }Delaunay, and its protection is {protected?not |}zero."""
     kinds = _kinds(Position.INSIDE)
     positive = all(min(mirror_powers(triangulation(k))) > 0 and _agrees_with_patch(k) for k in kinds)
     distances = all(_protection_is(k) for k in kinds)
@@ -155,10 +153,9 @@ def _protection_is(kind: Type) -> bool:
     to_prove=["thm-7.outside", "thm-7.boundary", "thm-7.inside", "thm-6", "lem-5", "lem-6"],
 )
 def theorem_7(printed: Constants) -> Finding:
-    """The place of the circumcentre of one simplex decides, in {cases} cases, for a Coxeter triangulation.
-
-    They follow from Theorem 6, Lemma 5 and Lemma 6, as Coxeter triangulations are monohedral.
-    """
+    """Whether a Coxeter triangulation is Delaunay, and protected, is decided by the place of the
+    circumcentre of one simplex, in {cases:words} cases. These follow from Theorem 6, Lemma 5 and Lemma 6, as
+    Coxeter triangulations are monohedral."""
     kinds = triangulations_up_to(8)
     small = [k.affine for k in kinds if k.rank <= 3]
     radii = all(len({Simplex(tuple(s)).squared_circumradius for s in patch(name, 2)}) == 1 for name in small)

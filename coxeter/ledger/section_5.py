@@ -128,7 +128,7 @@ def _unnormalised() -> tuple[bool, list[str]]:
 
 @claim("thm-8.unnormalised", "Theorem 8", Weight.WORDING)
 def unnormalised(printed: Constants) -> Finding:
-    """Section 6 has a table of the values without normalisation: {table}."""
+    """Section 6 {table?has|does not have} a table of the values without normalisation."""
     has_table, items = _unnormalised()
     return amend(
         agree(printed, {"table": has_table}, FINITE),

@@ -67,8 +67,8 @@ for _family in FAMILIES:
         f"sec6.{_family}.item-8.delaunay",
         _place(_family),
         Weight.RESULT,
-        words=f"The circumcentre of {affine_name(_family)} lies: {{position}}; so the triangulation is "
-        "Delaunay: {delaunay}, with non-zero protection: {protected}.",
+        words=f"The circumcentre of the simplex of {affine_name(_family)} lies {{position:where}}; so the "
+        "triangulation is {delaunay?|not }Delaunay, and {protected?|not }protected.",
         to_state=("def-19", "def-20"),
         to_prove=("thm-7", *_centre),
         proof=_proof(_family),

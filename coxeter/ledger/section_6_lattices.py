@@ -56,8 +56,8 @@ for _family in FAMILIES:
         f"sec6.{_family}.item-9.lattice",
         f"Section 6, {affine_name(_family)}, item 9",
         Weight.RESULT,
-        words=f"The vertex set of {affine_name(_family)} is a lattice: {{lattice}}"
-        + (", from d = {from} on." if _family == "D" else "."),
+        words=f"The vertex set of {affine_name(_family)} is {{lattice?a|not a}} lattice"
+        + (" from d = {from} on." if _family == "D" else "."),
         to_prove=(f"prop-{PROPOSITIONS[_family]}",) if _family in PROPOSITIONS else ("fig-1",),
         proof=(f"proposition_{PROPOSITIONS[_family]}",) if _family in MINIMAL_DIMENSION else (),
     )(partial(judge_family, _family))
@@ -65,5 +65,5 @@ for _family in FAMILIES:
 
 @claim("sec6.D.item-9.lattice-4", "Section 6, D~, item 9", Weight.RESULT, to_prove=("prop-10",))
 def judge_d4(printed: Constants) -> Finding:
-    """The vertex set of D~ is a lattice: {lattice}, for d = 4."""
+    """The vertex set of D~ is {lattice?a|not a} lattice for d = 4."""
     return agree(printed, {"lattice": bool(vertex_lattice(triangulation("D~4")))}, FINITE)

@@ -57,7 +57,7 @@ for _measure in DEFINITIONS:
     proof=("quantity", "A", "minimal_height"),
 )
 def equal_heights(printed: Constants) -> Finding:
-    """All heights of the simplex of A~_d are equal: {equal}."""
+    """The heights of the simplex of A~_d are {equal?all|not all} equal."""
     equal = all(len(set(triangulation(("A", d)).simplex.squared_heights)) == 1 for d in range(2, LARGEST + 1))
     words = "All marks are 1 and all roots have the same length"
     return agree(printed, {"equal": equal}, EVERY_D, words)
@@ -70,7 +70,8 @@ def equal_heights(printed: Constants) -> Finding:
     proof=("position_of_circumcentre", "A"),
 )
 def barycentre(printed: Constants) -> Finding:
-    """The barycentre of A~_d's simplex is its circumcentre ({circumcentre}) and its incentre ({incentre})."""
+    """The barycentre of A~_d's simplex is {circumcentre?|not }its circumcentre and {incentre?|not }its
+    incentre."""
     from ..proofs import prove
 
     for radius in ("circumradius", "inradius"):
@@ -176,7 +177,7 @@ def expansion(printed: Constants) -> Finding:
 
 @claim("sec6.G2.item-1.triangle", "Section 6, G~2", Weight.RESULT)
 def kisrhombille(printed: Constants) -> Finding:
-    """The simplex is a triangle with a right angle ({right}) and the angle {angle}·π."""
+    """The simplex is a triangle {right?with|without} a right angle; another angle is {angle:pi}."""
     smallest, *_, greatest = sorted(triangulation("G~2").dihedral_angles().values())
     if greatest != Fraction(1, 2):
         raise InvalidInput("the triangle of G~2 has no right angle")

@@ -8,13 +8,12 @@ from dataclasses import dataclass
 from ..affine import triangulation
 from ..claims.points import SIGN
 from ..exact import Surd
-from ..families import Piece, closed_form
+from ..families import Piece, closed_form, latex
 from ..names import FAMILIES, MINIMAL_DIMENSION
 from ..paper import printed
 from ..proofs.classical import FAMILIES as CLASSICAL
 from ..proofs.classical import Pairs
 from ..tables import Table, table
-from .formulas import latex
 from .judged import Judged, Ledger
 from .wording import runs_latex
 

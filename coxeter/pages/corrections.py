@@ -21,6 +21,8 @@ def truth(x: Judged) -> str:
         return match[2] + (f", printed{match[1]}" if match[1] else "")
     for name, value in (x.finding.constants or {}).items():
         words = _words(x, name)
+        if isinstance(value, bool):  # the sentence after it says more
+            text = re.sub(rf"{re.escape(words)}(?:[.;] |$)", "", text) or text
         told = (
             shown(value) if text.startswith(words) and text.count(": printed ") == 1 else _named(name, value)
         )

@@ -2,8 +2,10 @@
 
 from __future__ import annotations
 
+import re
 from collections.abc import Iterable, Iterator
 
+from ..ledger.vocabulary import Verdict
 from .corrections import printed, truth
 from .errata import Erratum
 from .judged import Judged, gravest
@@ -29,13 +31,21 @@ def _body(e: Erratum, site: Site) -> str:
     cells = (
         f"{number} {to_html(e.places)}",
         to_html(printed(first)) + also,
-        to_html(truth(first)),
+        to_html(_true(first)),
         WHOSE[e.kind],
         e.weight.name.lower(),
     )
     row = "".join(f'<td data-label="{name}">{cell}</td>' for name, cell in zip(HEADS, cells, strict=True))
     details = f'<td colspan="{len(HEADS)}">{_details(e, site)}</td>'
     return f'<tbody id="erratum-{e.number}"><tr>{row}</tr><tr class="lg-more">{details}</tr></tbody>'
+
+
+def _true(x: Judged) -> str:
+    """What is true, as a sentence: of a statement whose proof alone is mended, the proof."""
+    text = truth(x)
+    if re.match(r"[a-z]{2,} ", text):
+        text = text[0].upper() + text[1:]
+    return f"The statement stands. Our proof: {text}" if x.verdict is Verdict.REPAIRED else text
 
 
 def _details(e: Erratum, site: Site) -> str:

@@ -12,7 +12,7 @@ from ..ledger.inventory import belongs
 from ..ledger.vocabulary import Verdict
 from ..proofs import Proof, prove
 from .corrections import in_words
-from .wording import pieces
+from .wording import pieces, polished, statement
 
 HEADINGS = {
     Verdict.FAILS: "Instead",
@@ -97,7 +97,7 @@ def _unknown(id: str) -> tuple[str, ...]:
 
 def _claim(claim: Claim, finding: Finding) -> str:
     verdict = f"*{finding.verdict.value} · {finding.strength}*"
-    lines = [f"**{_text(claim.statement)}** — {verdict} (`{claim.id}`, decided by `{claim.code}`)"]
+    lines = [f"**{_text(statement(claim))}** — {verdict} (`{claim.id}`, decided by `{claim.code}`)"]
     for heading, text in (
         (HEADINGS.get(finding.verdict, "Correction"), in_words(finding.correction)),
         ("Witness", finding.witness),
@@ -136,6 +136,6 @@ def _new_steps(proof: Proof, shown: set[str]) -> Iterator[str]:
 def _text(words: str) -> str:
     """Plain text as Markdown: formulas and names of types between dollar signs, all else taken literally."""
     return "".join(
-        re.sub(r"([*_\\<>`\[\]#])", r"\\\1", x.text) if x.kind == "words" else f"${x.text}$"
+        re.sub(r"([*_\\<>`\[\]#])", r"\\\1", polished(x.text)) if x.kind == "words" else f"${x.text}$"
         for x in pieces(words)
     )

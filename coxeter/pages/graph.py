@@ -246,7 +246,7 @@ def in_words(ledger: Ledger, site: Site) -> str:
 def _in_words(node: str, graph: Dependencies, site: Site) -> str:
     x = gravest(graph.members[node])
     text = f'<a href="{site.claim(x.id)}">{to_html(name_of_item(node))}</a> {mark(x)}'
-    for kind, words in ((PROVE, "proved with"), ("to_state", "stated with")):
+    for kind, words in ((PROVE, "in the paper proved with"), ("to_state", "stated with")):
         needed = [a for (a, b), k in graph.arrows.items() if b == node and k == kind]
         if needed:
             text += f"<br>{words} {_names(needed)}"

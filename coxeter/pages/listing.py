@@ -10,8 +10,9 @@ from ..ledger.reporting import score
 from ..ledger.selecting import SECTIONS, families_of, section_of
 from ..ledger.vocabulary import Extent, Verdict, Weight
 from ..names import FAMILIES
+from ..tables.pieces import MATHS
 from .judged import FIRMNESS, GRAVITY, Judged, Ledger
-from .markup import MATHS, folded, link, links, row, select, table
+from .markup import folded, link, links, row, select, table
 from .naming import Site, item_of, name_of_item, names_of_items
 from .pills import CSS_NAMES, check, count, labelled, mark, plain_pill, reason
 from .wording import statement, to_html

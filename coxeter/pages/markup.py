@@ -5,9 +5,6 @@ from __future__ import annotations
 import html
 from collections.abc import Iterable, Mapping
 
-MATHS = "math notranslate nohighlight"
-"""The classes by which the book's script for formulas knows them."""
-
 
 def scroll(inner: str, label: str) -> str:
     """A box in which something wide can be scrolled, by keyboard too."""

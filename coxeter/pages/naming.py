@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import re
+from collections import Counter
 from collections.abc import Iterable
 from dataclasses import dataclass
 from functools import lru_cache
@@ -73,10 +74,26 @@ def names_of_items(ids: Iterable[str]) -> dict[str, str]:
     first: dict[str, str] = {}
     for id in ids:
         item = item_of(id)
-        first.setdefault(
-            name_of(id) if item.startswith("sec") and "item" not in item else name_of_item(item), id
-        )
+        first.setdefault(name_of_item(item) if is_numbered(item) else name_of(id), id)
     return first
+
+
+def titled(ids: Iterable[str]) -> str:
+    """What some claims are about: the numbered items, and how many statements there are without a number.
+
+    >>> titled(["thm-6", "sec4.converse", "sec4.not-self-centred", "sec6.B.item-5"])
+    'Theorem 6, B~, item 5, 2 statements of Section 4'
+    """
+    items = {item_of(id): None for id in ids}
+    loose = Counter(item_of(id) for id in ids if not is_numbered(item_of(id)))
+    names = [name_of_item(item) for item in items if is_numbered(item)]
+    names += [f"{n} statement{'s' if n > 1 else ''} of {name_of_item(item)}" for item, n in loose.items()]
+    return ", ".join(names)
+
+
+def is_numbered(item: str) -> bool:
+    """Whether it is more than a section."""
+    return not item.startswith("sec") or "item" in item
 
 
 @dataclass(frozen=True)

@@ -73,10 +73,10 @@ def summary(claims: Sequence[Judged]) -> str:
 
 
 def count(claims: Iterable[Judged]) -> str:
-    """Verdicts in words, the most frequent first: ``8 claims: 7 holds, 1 fails``."""
+    """Verdicts in words, the most frequent first: ``8 claims: 7 holds · 1 fails``."""
     counts = Counter(x.verdict.value for x in claims)
     total = sum(counts.values())
-    parts = ", ".join(f"{n} {verdict}" for verdict, n in counts.most_common())
+    parts = " · ".join(f"{n} {verdict}" for verdict, n in counts.most_common())
     return f"{total} claim{'s' if total > 1 else ''}: {parts}"
 
 

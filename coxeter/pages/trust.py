@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Sequence
 
 from ..errors import InvalidInput
+from ..ledger.phrases import says
 from ..ledger.vocabulary import Extent, Verdict
 from ..proofs.rates import constant
 from .corrections import truth
@@ -60,7 +61,7 @@ def corrected_statement(x: Judged) -> str:
         return statement(x.claim)
     constants = x.finding.constants or {}
     moved = [name for name in constants if constants[name] != x.claim.printed.get(name)]
-    if x.verdict is not Verdict.FAILS and moved and all(f"{{{name}}}" in x.claim.words for name in moved):
+    if x.verdict is not Verdict.FAILS and moved and all(says(x.claim.words, name) for name in moved):
         return statement(x.claim, constants)
     return f"{truth(x)} (printed: {statement(x.claim)})"
 

@@ -88,9 +88,14 @@ def decimals(x: Sequence[Exact]) -> str:
 # -- sentences ----------------------------------------------------------------------------------------------
 
 
+def named(scene: Scene) -> str:
+    """The name of the triangulation as one writes it: ``Ã₃``."""
+    return scene.name.replace("~", "\N{COMBINING TILDE}").translate(_SUBSCRIPTS)
+
+
 def verdict(scene: Scene) -> str:
     """Whether the triangulation is Delaunay, and by what one sees it."""
-    where = f"The circumcentre lies {_WHERE[scene.position]}: {scene.name} is {_delaunay(scene)}."
+    where = f"The circumcentre lies {_WHERE[scene.position]}: {named(scene)} is {_delaunay(scene)}."
     return f"{where} {in_the_ball(scene)}"
 
 
@@ -128,7 +133,7 @@ def of_simplex(scene: Scene) -> str:
     """The fundamental simplex and its spheres in words."""
     corners = joined([f"{sub('u', k)} = {point(u)}" for k, u in enumerate(scene.vertices)])
     return (
-        f"Fundamental simplex of {scene.name} with the vertices {corners}. Its circumsphere has the centre "
+        f"Fundamental simplex of {named(scene)} with the vertices {corners}. Its circumsphere has the centre "
         f"{point(scene.circumcentre)} and the radius {number(scene.circumradius)}, its insphere the centre "
         f"{point(scene.incentre)} and the radius {number(scene.inradius)}. {verdict(scene)}"
     )
@@ -166,7 +171,7 @@ def told(scene: Scene) -> dict[str, str]:
         "simplex": f"Fundamental simplex: {joined(corners)}.",
         "circumsphere": f"Circumsphere: radius {approximately(scene.circumradius)}. {in_the_ball(scene)}",
         "circumcentre": f"Circumcentre: {point(scene.circumcentre)}. It lies {_WHERE[scene.position]}: "
-        f"{scene.name} is {_delaunay(scene)}.",
+        f"{named(scene)} is {_delaunay(scene)}.",
         "incentre": f"Incentre: {point(scene.incentre)}{in_decimals and f' ≈ {in_decimals}'}. "
         f"Inradius: {approximately(scene.inradius)}.",
         "normals": f"Inward normals: {joined(normals)}.",

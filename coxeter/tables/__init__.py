@@ -202,7 +202,7 @@ def table_comparison(number: int, transcription: bool = False) -> Table:
         ("type", "d", "quantity", "printed", "found", "evidence"),
         tuple(
             (
-                x.family,
+                f"{x.family[0]}~{x.family[1:]}",
                 str(x.dimension or ""),
                 x.quantity.removeprefix("normalized_").replace("_", " "),
                 x.printed,

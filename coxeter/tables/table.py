@@ -12,6 +12,7 @@ from dataclasses import dataclass
 
 from ..errors import InvalidInput
 from ..exact import Surd
+from .pieces import MATHS, to_html
 
 Cell = Surd | str | None
 
@@ -81,10 +82,13 @@ class Table:
 
     def _repr_html_(self) -> str:
         def cell(value: Cell) -> str:
-            exact = f' title="{html.escape(str(value))}"' if isinstance(value, Surd) else ""
-            return f"<td{exact}>{_html(_writer(3, False, latex=False)(value))}</td>"
+            if isinstance(value, Surd):
+                return f'<td title="{html.escape(str(value))}">{_writer(3, False, latex=False)(value)}</td>'
+            inner = _html(value or "")
+            plain = f' data-text="{html.escape(value or "")}"' if MATHS in inner else ""
+            return f"<td{plain}>{inner}</td>"
 
-        head = "".join(f"<th>{html.escape(name)}</th>" for name in self.header)
+        head = "".join(f"<th>{_html(name)}</th>" for name in self.header)
         body = "".join("<tr>" + "".join(map(cell, row)) + "</tr>" for row in self.rows)
         return (
             f'<div class="table-box"><table><caption>{html.escape(self.title)}</caption>'
@@ -93,13 +97,11 @@ class Table:
 
 
 def _html(text: str) -> str:
-    """Text as HTML, with ``u_1``, ``B~3`` and ``(0^{3}, 1)`` set as one writes them."""
-    escaped = html.escape(text)
-    if "\\" in escaped:
-        return escaped  # LaTeX of the printed text, shown as it is
-    raised = re.sub(r"\^(\{[^{}]*\})", r"<sup>\1</sup>", escaped)
-    tilde = re.sub(r"\b([A-G])~(\d*)", "\\1\N{COMBINING TILDE}<sub>\\2</sub>", raised)
-    return re.sub(r"(?<=\b[usτhλ])_(\w+)", r"<sub>\1</sub>", tilde)
+    """Text as HTML, with ``u_1``, ``B~3``, ``sqrt(3)/2`` and ``(0^{3}, 1)`` set as one writes them."""
+    if text.startswith("\\"):  # LaTeX of the printed text, which our copy may have broken
+        broken = re.search(r"\\(begin|end)\b|&|\\\\", text) or text.count("{") != text.count("}")
+        return html.escape(text) if broken else to_html(f"${text}$")
+    return to_html(text).replace("^(1/d)", "<sup>1/d</sup>")
 
 
 def _writer(digits: int, exact: bool, latex: bool) -> Callable[[Cell], str]:
