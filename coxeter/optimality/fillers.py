@@ -9,11 +9,9 @@
 * *Their parts around the centre*: joined with the barycentre, the d + 1 facets of A~d's simplex give
   congruent parts, as a rotation of its diagram carries each facet to each other.
 
-All Hill simplices of a dimension are affine images of one another, and so are the triangulations that they
-make: images of A~d's. So no w is better than -1/d: see `images`. The argument there uses nothing of the
-triangulation but that the finite Weyl group maps it to itself, up to translations. It does so with the
-triangulation by halves, too, for w = -1/d, as the affine Weyl group keeps the numbers of the vertices: no
-half is better than that of A~d.
+The triangulations by Hill simplices of a dimension are affine images of one another, and of A~d's. So no w is
+better than -1/d: see `images`. The argument there does not reach the halves, as the cut singles out the direction
+of b_1 + … + b_d, which the finite Weyl group moves: they have to be looked at for each w.
 """
 
 from __future__ import annotations
