@@ -23,6 +23,7 @@ from coxeter import (
     triangulation,
     triangulations_up_to,
 )
+from coxeter.figures import hill_curves
 from coxeter.optimality import (
     A15,
     BCC,
@@ -283,7 +284,7 @@ def test_ranks_that_are_refused():
         gradient_rank("C~3", "radius_ratio")
 
 
-# -- other simplices that fill space ---------------------------------------------------------------------------
+# -- other simplices that fill space -----------------------------------------------------------------------
 
 
 def shape(simplex):
@@ -327,6 +328,16 @@ def test_parts_have_their_share_of_the_volume(d):
     assert part_around_centre(a).volume * (d + 1) == a.volume
     assert all(half.volume * 2 == a.volume for half in halves(a).values())
     assert len(halves(a)) == (d + 1) // 2
+
+
+@pytest.mark.parametrize("d", [2, 3, 5])
+def test_hill_curves_have_their_greatest_value_at_a(d):
+    figure = hill_curves(d)
+    assert {figure.data.best(of) for of in PAPER} == {Fraction(-1, d)}
+    assert figure.alt.count(f"at w = -1/{d}") == 4
+    assert figure.svg.count("<path") >= 4
+    with pytest.raises(InvalidInput):
+        hill_curves(1)
 
 
 def test_fillers_that_are_refused():
