@@ -10,8 +10,8 @@
   congruent parts, as a rotation of its diagram carries each facet to each other.
 
 The triangulations by Hill simplices of a dimension are affine images of one another, and of A~d's. So no w is
-better than -1/d: see `images`. The argument there does not reach the halves, as the cut singles out the direction
-of b_1 + … + b_d, which the finite Weyl group moves: they have to be looked at for each w.
+better than -1/d: see `images`. The argument there does not reach the halves, as the cut singles out the
+direction of b_1 + … + b_d, which the finite Weyl group moves: they have to be looked at for each w.
 """
 
 from __future__ import annotations
