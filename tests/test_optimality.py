@@ -166,10 +166,11 @@ def test_of_an_unknown_measure_nothing_is_claimed():
     assert (found.verdict, found.witness) == (Verdict.UNDECIDED, None)
 
 
-def test_unprotected_all_around_is_undecided():
+@pytest.mark.parametrize("near", ["1/1000", 1])
+def test_unprotected_all_around_is_undecided(near):
     far = image("A~2", RationalMatrix.from_rows([[1, 5], [5, 26]]))
-    assert far.relative_protection == 0
-    assert local_optimality(far, "relative_protection").verdict is Verdict.UNDECIDED
+    assert far.least_weight < far.relative_protection == 0
+    assert local_optimality(far, "relative_protection", near).verdict is Verdict.UNDECIDED
 
 
 def test_refusals():

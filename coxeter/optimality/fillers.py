@@ -3,9 +3,8 @@
 * *Hill's simplices*, after Hill (1896, d = 3) and Hadwiger (1951): the steps b_1 … b_d of a path have length
   1 and the products w. Those of all orders of the steps fill the parallelepiped of b_1 … b_d, and its
   translates space. For w = 0 it is Kuhn's simplex, or that of C~d, for w = -1/d that of A~d.
-* *Their halves*: read backwards a path is congruent to itself. This symmetry exchanges the vertices k and d -
-  k; the plane through the midpoint of such a pair and all other vertices cuts the simplex into two congruent
-  halves.
+* *Their halves*: read backwards a path is congruent to itself. This exchanges each vertex k with d - k; the
+  plane through the midpoint of such a pair and all other vertices cuts the simplex into congruent halves.
 * *Their parts around the centre*: joined with the barycentre, the d + 1 facets of A~d's simplex give
   congruent parts, as a rotation of its diagram carries each facet to each other.
 

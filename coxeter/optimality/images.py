@@ -20,6 +20,9 @@ which is irreducible, so it is a multiple of the scalar product: a scaled copy o
 Coxeter triangulation is of better quality than itself, in any of the four measures and in any dimension.*
 Moreover, if the quality at Q is less than at the mean, it grows along the whole segment from Q to the mean:
 a local optimum is a global one, and an image that is worse is not even locally optimal: see `verdicts`.
+
+The power of a vertex over the sphere of a simplex is linear in Q, so relative protection, too, grows with a
+quotient of that kind, as long as no power is negative: that is, among the images that are Delaunay.
 """
 
 from __future__ import annotations
@@ -127,6 +130,19 @@ class AffineImage:
         return b @ self.gram @ b.T
 
     @property
+    def least_weight(self) -> Fraction:
+        """For type A~: the least -<b_i, b_j> of two vectors of the superbase.
+
+        The image is Delaunay if it is not negative, and protected if it is positive.
+
+        >>> from coxeter.simplex import Simplex
+        >>> affine_image("A~2", Simplex([(0, 0), (1, 0), (1, 1)])).least_weight
+        Fraction(0, 1)
+        """
+        b = self.superbase.rows()
+        return min(-row[j] for i, row in enumerate(b) for j in range(i))
+
+    @property
     def relative_protection(self) -> Surd:
         """For type A~: the relative protection of Definition 19; 0 if the image is not Delaunay.
 
@@ -142,10 +158,10 @@ class AffineImage:
         >>> affine_image("A~4").relative_protection
         -1 + sqrt(2)
         """
+        if self.least_weight <= 0:
+            return Surd(0)
         p = [[-x for x in row] for row in self.superbase.rows()]
         n = len(p)
-        if min(p[i][j] for i in range(n) for j in range(i)) <= 0:
-            return Surd(0)
         ratios = (
             2 * min(p[i][j] for i, j in pairwise((0, *order, 0))) / self._of_order(order).squared_circumradius
             for order in permutations(range(1, n))

@@ -46,9 +46,9 @@ def local_optimality(image: AffineImage, measure: str | Measure, near: object = 
 
     By the argument at the head of `images` it is, if and only if it is as good as the Coxeter
     triangulation. If it is not, all images on the way to the mean are better; the witness is at a share
-    `near` of the way, and is compared exactly. For other measures than those of Definition 18, and
-    ``"relative_protection"`` in type A~, nothing is known of their being quotients of a concave and a convex
-    function, and the verdict is `Verdict.UNDECIDED`.
+    `near` of the way, and is compared exactly. So it is with ``"relative_protection"``, in type A~, for
+    images that are Delaunay. Of other measures than these and the four of Definition 18 it is not known
+    whether they are quotients of a concave and a convex function, and the verdict is `Verdict.UNDECIDED`.
 
     Raises
     ------
@@ -69,20 +69,22 @@ def local_optimality(image: AffineImage, measure: str | Measure, near: object = 
     if not 0 < rational(near) <= 1:
         raise InvalidInput(f"{near!r} is no share of the way: give a rational number above 0, up to 1")
     value = _value(image, measure)
-    if measure != "relative_protection" and measure not in (
-        *PAPER_MEASURES,
-        *(m.name for m in PAPER_MEASURES),
-    ):
+    if not _applies(image, measure):
         return Optimality(Verdict.UNDECIDED, value)
     best = _value(image.mean, measure)
     if value == best:
         return Optimality(Verdict.PROVED, value, best)
     witness = image.towards_mean(near)
     if not value < _value(witness, measure) <= best:
-        if measure == "relative_protection" and not value:
-            return Optimality(Verdict.UNDECIDED, value, best)  # it may be 0 all around
         raise ArithmeticError(f"{measure}: the quality does not grow towards the mean of {image!r}")
     return Optimality(Verdict.REFUTED, value, best, witness)
+
+
+def _applies(image: AffineImage, measure: str | Measure) -> bool:
+    """Whether the argument reaches the measure."""
+    if measure == "relative_protection":
+        return image.least_weight >= 0
+    return measure in PAPER_MEASURES or measure in {known.name for known in PAPER_MEASURES}
 
 
 def _value(image: AffineImage, measure: str | Measure) -> Surd:
