@@ -142,8 +142,8 @@ def _shape(cell: Sequence[Atom]) -> tuple[int, ...]:
     return min(tuple(square[pair] for pair in combinations(order, 2)) for order in permutations(cell))
 
 
-BCC = Crystal("body-centred cubic", 2, ((0, 0, 0), (1, 1, 1)))
-"""The vertices of A~3: here the cells are all congruent."""
+BCC = Crystal("bcc", 2, ((0, 0, 0), (1, 1, 1)))
+"""Body-centred cubic, the vertices of A~3: here the cells are all congruent."""
 
 A15 = Crystal(
     "A15", 4,
