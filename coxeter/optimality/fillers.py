@@ -24,7 +24,7 @@ from .images import simplex_of_gram
 
 
 def hill(d: int, w: object) -> Simplex:
-    """Hill's simplex with the vertices 0, b_1, b_1 + b_2 …, unit vectors b_i with the products <b_i, b_j> = w.
+    """Hill's simplex with the vertices 0, b_1, b_1 + b_2 …: unit vectors with the products <b_i, b_j> = w.
 
     Parameters
     ----------
