@@ -25,6 +25,7 @@ ABOUT = {
     "position_of_circumcentre": [(x,) for x in "ABCD"],
     "best": [(name,) for name in DEFINITIONS],
     "rate": [(x, name) for x in "ABCD" for name in DEFINITIONS],
+    "affine_images": [(name,) for name in (*DEFINITIONS, "relative_protection")],
 }
 ALL = [(name, *about) for name in PROOFS for about in ABOUT.get(name, [()])]
 

@@ -18,6 +18,7 @@ from .diagrams import coxeter_diagram, diagram_pair, family_diagram
 from .empty_sphere import sphere_not_empty
 from .figure import Figure, above, beside
 from .fixed_root import proposition_1_witness
+from .hill import hill_curves
 from .monohedral import monohedral_not_coxeter
 from .not_lattice import difference_not_a_vertex
 from .of_paper import paper_figure
@@ -38,6 +39,7 @@ __all__ = [
     "diagram_pair",
     "difference_not_a_vertex",
     "family_diagram",
+    "hill_curves",
     "lemma_4_circles",
     "lemma_4_witness",
     "lemma_9_distances",

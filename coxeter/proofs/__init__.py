@@ -32,6 +32,7 @@ PROOFS = {
     "best": "best",
     "rate": "rates",
     "protection_rate": "rates",
+    "affine_images": "images",
 }
 """The proofs by name, and the modules they are in."""
 
