@@ -144,7 +144,7 @@ def bound(printed: Constants) -> Finding:
 
 
 def _bound_holds(factor: str, s: Simplex) -> bool:
-    right = evaluate(factor, d=s.dimension) * prod(map(quality.thickness, flag(s)))
+    right: Surd = evaluate(factor, d=s.dimension) * prod(map(quality.thickness, flag(s)))
     left: Surd = quality.fatness(s)
     return left == right if is_regular(s) else left <= right
 
