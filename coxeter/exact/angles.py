@@ -379,7 +379,9 @@ def _write(a: Sum, acos: str, share: str, times: str, number: str) -> str:
         if x is None:
             text = size
         else:
-            name = acos.format(x.latex() if number == "latex" else x) if isinstance(x, Surd) else share.format(x)
+            name = (
+                acos.format(x.latex() if number == "latex" else x) if isinstance(x, Surd) else share.format(x)
+            )
             text = _scaled(name, abs(q), size, times, number)
         parts.append((" - " if q < 0 else " + ") + text)
     joined = "".join(parts) or " + 0"

@@ -114,4 +114,6 @@ def corners_classes(d: int) -> list[Cell]:
 
 def pairs(cell: Cell) -> list[Fraction]:
     """The squared edges of a cell, in order of size: cells with different lists are not congruent."""
-    return sorted(sum(((a - b) ** 2 for a, b in zip(x, y, strict=True)), Fraction(0)) for x, y in combinations(cell, 2))
+    return sorted(
+        sum(((a - b) ** 2 for a, b in zip(x, y, strict=True)), Fraction(0)) for x, y in combinations(cell, 2)
+    )

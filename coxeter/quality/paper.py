@@ -6,6 +6,7 @@ from ..exact import Surd
 from ..simplex import Simplex, regular_simplex
 from .registry import measure
 
+
 @measure("aspect_ratio", r"\alpha")
 def aspect_ratio(simplex: Simplex) -> Surd:
     """α = h / 2R: minimal height over the diameter of the circumscribed ball (Definition 18).
