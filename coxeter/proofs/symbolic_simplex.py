@@ -23,8 +23,7 @@ from ..symbolic.formulas import Formula, formula
 from .classical import FAMILIES
 from .edges import mesh_quantity
 from .measures import quantity, regular_lengths
-from .proof import Proof, argument, formulas, join
-from .simplices import latex
+from .proof import Proof, argument, formulas, join, latex
 
 QUANTITIES = (*LENGTHS, *MESH_FORMS["A"])
 SQUARES = tuple(f"squared_{name}" for name in ("longest_edge", "shortest_edge", "circumradius"))
@@ -68,9 +67,8 @@ class SymbolicSimplex:
     def proof(self, name: str) -> Proof:
         """The proof of the formula of a quantity."""
         if name not in self._known():
-            raise NotSymbolic(
-                f"{self.name} has no formula in d for {name!r}; it has {', '.join(self._known())}"
-            )
+            who = "the regular simplex" if self.letter == "regular" else self.name
+            raise NotSymbolic(f"{who} has no formula in d for {name!r}; it has {', '.join(self._known())}")
         if self.letter == "regular":
             return _of_regular(name)
         return quantity(self.letter, name) if name in LENGTHS else mesh_quantity(self.letter, name)

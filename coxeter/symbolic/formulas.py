@@ -93,8 +93,16 @@ class Formula(ClosedForm):
 
     __lt__ = __le__ = __gt__ = __ge__ = _compare
 
+    def _number(self) -> NoReturn:
+        raise InvalidInput(
+            f"{self} is a formula in d and no number: use + - * / **, coxeter.sqrt and coxeter.quality.root, or a "
+            "value, as x.at(5)"
+        )
+
+    __float__ = __index__ = _number
+
     def __bool__(self) -> bool:
-        return not self == 0
+        return self != 0
 
     def _with(self, other: object, template: str) -> Formula:
         pieces = []

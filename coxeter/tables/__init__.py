@@ -13,7 +13,6 @@ from typing import TYPE_CHECKING, Any
 from ..affine import CoxeterTriangulation
 from ..delaunay import delaunay_verdict, protection
 from ..errors import InvalidInput
-from ..exact import Surd
 from ..lattices import vertex_lattice
 from ..names import Type, triangulations_up_to
 from ..peers import Peer
@@ -101,7 +100,7 @@ def measure_table(
     D~,,,0.447
     F~,,,0.298
     G~,0.500,,
-    D1,0.577,0.500,0.447
+    D1,0.577,0.500,0.422
     best,A~,A~,A~
     """
     values: dict[str, dict[int, Number]] = {}
