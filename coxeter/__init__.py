@@ -109,7 +109,7 @@ __all__ = [
 
 
 def __getattr__(name: str) -> Any:
-    """`symbolic_simplex`, when it is asked for: it needs SymPy, which takes longer to load than all else here."""
+    """`symbolic_simplex`, when it is asked for: it needs SymPy, which takes long to load."""
     if name == "symbolic_simplex":
         from .proofs.symbolic_simplex import symbolic_simplex
 

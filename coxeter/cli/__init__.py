@@ -1,4 +1,4 @@
-"""The command line: ``coxeter list``, ``info``, ``simplex``, ``table``, ``compare``, ``verify`` and ``explain``.
+"""The command line, ``coxeter list``, ``info``, ``simplex``, ``table``, ``compare``, ``verify``, ``explain``.
 
 Bad input ends with one sentence on the standard error and exit status 2.
 """

@@ -15,8 +15,8 @@ from ..families.mesh_forms import mesh_form
 from ..symbolic.cases import case
 from ..symbolic.polynomials import Rational, rational_function
 from ..symbolic.runs import squared_distance, sum_over
-from .classical import FAMILIES, Classical, Pair, vector, vertex
 from . import proof
+from .classical import FAMILIES, Classical, Pair, vector, vertex
 from .proof import Proof, Step, argument, formulas, identity, in_dimension, inequality, join
 from .simplices import heights, node, roots_squared, the_simplex
 
@@ -161,8 +161,8 @@ def angle(letter: str, name: str) -> Proof:
         return len(dimensions)
 
     words = {
-        "minimal_solid_angle": "The smallest solid angle is 1 over the order of the finite Weyl group, which is "
-        "the largest stabiliser of a vertex; its order: Humphreys, Section 2.11",
+        "minimal_solid_angle": "The smallest solid angle is 1 over the order of the finite Weyl group, "
+        "which is the largest stabiliser of a vertex; its order: Humphreys, Section 2.11",
     }.get(name, "The dihedral angles are read off the diagram: Humphreys, Section 2.5")
     return join(f"the {name.replace('_', ' ')}", argument(words),
                 proof.tested("the core finds the same", form.latex(), 12, test))  # fmt: skip

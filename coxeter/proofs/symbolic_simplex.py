@@ -34,13 +34,14 @@ class NotSymbolic(InvalidInput, AttributeError):
 
 
 class SymbolicSimplex:
-    """The fundamental simplex of A~, B~, C~ or D~, or the regular simplex, for every d; see `symbolic_simplex`.
+    """The fundamental simplex of A~, B~, C~ or D~, or the regular simplex; see `symbolic_simplex`.
 
     Its attributes are those that a measure of a `Simplex` may use: ``dimension``, ``minimal_height``,
     ``longest_edge``, ``shortest_edge``, ``inradius``, ``circumradius``, ``volume``, ``sum_of_squared_edges``,
     ``sum_of_inverse_squared_heights``; the squares ``squared_longest_edge``, ``squared_shortest_edge``,
     ``squared_circumradius``; and, but for the regular simplex, ``minimal_dihedral_angle``,
-    ``maximal_dihedral_angle``, ``minimal_solid_angle``. Each is a `Formula`, and is proved before it is given.
+    ``maximal_dihedral_angle``, ``minimal_solid_angle``. Each is a `Formula`, and is proved before it is
+    given; those of angles are taken from the literature, and tested by the core.
     """
 
     def __init__(self, letter: str) -> None:
@@ -110,8 +111,8 @@ def symbolic_simplex(name: str) -> SymbolicSimplex:
     >>> symbolic_simplex("D~d").incentre
     Traceback (most recent call last):
         ...
-    coxeter.proofs.symbolic_simplex.NotSymbolic: D~d has no formula in d for 'incentre'; it has minimal_height, \
-longest_edge, inradius, circumradius, volume, shortest_edge, sum_of_squared_edges, \
+    coxeter.proofs.symbolic_simplex.NotSymbolic: D~d has no formula in d for 'incentre'; it has \
+minimal_height, longest_edge, inradius, circumradius, volume, shortest_edge, sum_of_squared_edges, \
 sum_of_inverse_squared_heights, minimal_dihedral_angle, maximal_dihedral_angle, minimal_solid_angle
     """
     match = re.fullmatch(r"([A-D])(?:~|\N{COMBINING TILDE})_?d", str(name))

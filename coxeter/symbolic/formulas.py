@@ -88,15 +88,15 @@ class Formula(ClosedForm):
 
     def _compare(self, other: object) -> NoReturn:
         raise InvalidInput(
-            f"{self} is a formula in d, and which of two is larger may depend on d: compare values, as x.at(5)"
+            f"{self} is a formula in d; which of two is larger may depend on d: compare values, as x.at(5)"
         )
 
     __lt__ = __le__ = __gt__ = __ge__ = _compare
 
     def _number(self) -> NoReturn:
         raise InvalidInput(
-            f"{self} is a formula in d and no number: use + - * / **, coxeter.sqrt and coxeter.quality.root, or a "
-            "value, as x.at(5)"
+            f"{self} is a formula in d and no number: use + - * / **, coxeter.sqrt and "
+            "coxeter.quality.root, or a value, as x.at(5)"
         )
 
     __float__ = __index__ = _number
