@@ -144,7 +144,7 @@ def test_sommerville_tetrahedra_fill_the_bcc_tetrahedron(number):
 @pytest.mark.parametrize("q", ["1", "4", "1/4", "9/16", "25"])
 @pytest.mark.parametrize("d", [2, 3, 4])
 def test_hill_simplices_fill_a_parallelepiped(d, q):
-    """The d! copies are congruent, vertex by vertex, and share the parallelepiped's volume √q."""
+    """The d! copies are congruent, vertex by vertex, and share the volume √q."""
     peer = find_peer(f"hill:{q}")
     cells = [[tuple(map(Fraction, p)) for p in cell] for cell in peer.cells(d)]
     assert len(cells) == math.factorial(d)
@@ -213,6 +213,16 @@ def test_cells_without_a_method_stay_empty():
     assert rows["K1"] == rows["C~"]
     with pytest.raises(Unavailable):
         PEERS["D1"].worst(find_measure("minimal_solid_angle"), 6)
+
+
+def test_d1_beside_c_and_a_as_the_page_says():
+    for d in range(2, 13):
+        a, c = (mean_ratio.normalized(triangulation((letter, d))) for letter in "AC")
+        d1 = PEERS["D1"].worst(mean_ratio, d)
+        assert a > d1
+        assert d1 == c if d == 2 else d1 > c
+        if d <= 8:
+            assert PEERS["D1"].worst(thickness, d) <= thickness.normalized(triangulation(("C", d)))
 
 
 def test_curves_take_others_too():

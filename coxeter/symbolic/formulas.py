@@ -39,6 +39,10 @@ class Formula(ClosedForm):
 
     __str__ = __repr__
 
+    def _repr_latex_(self) -> str:
+        one = rf" \quad ({self.pieces[0].condition})" if len(self.pieces) == 1 else ""
+        return f"${self.latex()}{one}$"
+
     def __add__(self, other: object) -> Formula:
         return self._with(other, "({0}) + ({1})")
 
