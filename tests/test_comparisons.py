@@ -120,7 +120,7 @@ def test_d1_has_d_shapes_and_fewer_simplices():
         assert cells <= math.factorial(d)
 
 
-# -- fillers of space ------------------------------------------------------------------------------------------
+# -- fillers of space ----------------------------------------------------------------------------------
 
 
 @pytest.mark.parametrize("number", range(1, 5))

@@ -84,7 +84,7 @@ def _atom(x: Atom) -> flint.arb:
     if x is None:
         return flint.arb(1)
     if isinstance(x, int):
-        return _regularball(x, flint.ctx.prec)
+        return regular_ball(x, flint.ctx.prec)
     return x.ball().acos() / flint.arb.pi()
 
 
@@ -110,7 +110,7 @@ def sign(a: Sum) -> int:
 
 
 @lru_cache(maxsize=256)
-def _regularball(d: int, precision: int) -> flint.arb:
+def regular_ball(d: int, precision: int) -> flint.arb:
     """The integral up to T, with a bound for the rest: |Φ(is)| e^(-s²/2) < 1 for all s."""
     with flint.ctx.workprec(precision + 4 * d + 32):  # the integrand oscillates: leading digits cancel
         working = flint.ctx.prec
