@@ -202,7 +202,7 @@ def _draw_curve(canvas: Canvas, family: str, points: Sequence[Point]) -> Key:
 
 
 def _draw_peer(canvas: Canvas, name: str, number: int, points: Sequence[Point]) -> Key:
-    """A thin line in ink, dashed in its own way, and open marks; a mark alone where there is one dimension."""
+    """A thin line in ink, dashed in its own way, and open marks; for one dimension, a mark alone."""
     pen, shape = _PEER_PENS[number % len(_PEER_PENS)], [*_MARKERS.values()][number % len(_MARKERS)]
 
     def mark(canvas: Canvas, points: Sequence[Point]) -> None:
