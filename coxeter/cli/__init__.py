@@ -1,4 +1,4 @@
-"""The command line: ``coxeter list``, ``info``, ``simplex``, ``table``, ``verify`` and ``explain``.
+"""The command line, ``coxeter list``, ``info``, ``simplex``, ``table``, ``compare``, ``verify``, ``explain``.
 
 Bad input ends with one sentence on the standard error and exit status 2.
 """
@@ -14,7 +14,7 @@ from typing import NoReturn
 
 from .. import __version__
 from ..errors import CoxeterError
-from . import ledger, triangulations
+from . import comparing, ledger, triangulations
 
 
 class _Parser(argparse.ArgumentParser):
@@ -27,6 +27,7 @@ def _parser() -> argparse.ArgumentParser:
     parser.add_argument("--version", action="version", version=f"coxeter-triangulations {__version__}")
     commands = parser.add_subparsers(dest="command", required=True, metavar="COMMAND")
     triangulations.add_commands(commands)
+    comparing.add_commands(commands)
     ledger.add_commands(commands)
     return parser
 

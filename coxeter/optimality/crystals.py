@@ -85,9 +85,9 @@ class Crystal:
         shown = {_shape(cell): cell for cell in self.cells}
         return {Simplex(shown[shape]): n for shape, n in sorted(count.items())}
 
-    def quality(self, measure: str | Measure) -> Surd:
+    def quality(self, measure: str | Measure[Surd]) -> Surd:
         """The least value of a measure over all simplices."""
-        known = measure if isinstance(measure, Measure) else find_measure(measure)
+        known: Measure[Surd] = measure if isinstance(measure, Measure) else find_measure(measure)
         return min(known(simplex) for simplex in self.kinds)
 
     @property

@@ -84,7 +84,7 @@ class AffineImage:
             new = list(fresh.values())
         return tuple(found.values())
 
-    def quality(self, measure: str | Measure) -> Surd:
+    def quality(self, measure: str | Measure[Surd]) -> Surd:
         """The least value of a measure over all simplices.
 
         >>> from coxeter.simplex import Simplex
@@ -92,7 +92,7 @@ class AffineImage:
         >>> kuhn.quality("thickness"), affine_image("A~3").quality("thickness")
         (sqrt(6)/6, sqrt(2)/2)
         """
-        known = measure if isinstance(measure, Measure) else find_measure(measure)
+        known: Measure[Surd] = measure if isinstance(measure, Measure) else find_measure(measure)
         return min(known(simplex) for simplex in self.simplices)
 
     @property

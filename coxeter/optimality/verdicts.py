@@ -41,7 +41,7 @@ class Optimality:
     witness: AffineImage | None = None
 
 
-def local_optimality(image: AffineImage, measure: str | Measure, near: object = "1/1000") -> Optimality:
+def local_optimality(image: AffineImage, measure: str | Measure[Surd], near: object = "1/1000") -> Optimality:
     """Whether an affine image is locally optimal in a measure: proved, refuted by a witness, or undecided.
 
     By the argument at the head of `images` it is, if and only if it is as good as the Coxeter
@@ -80,12 +80,12 @@ def local_optimality(image: AffineImage, measure: str | Measure, near: object = 
     return Optimality(Verdict.REFUTED, value, best, witness)
 
 
-def _applies(image: AffineImage, measure: str | Measure) -> bool:
+def _applies(image: AffineImage, measure: str | Measure[Surd]) -> bool:
     """Whether the argument reaches the measure."""
     if measure == "relative_protection":
         return image.least_weight >= 0
     return measure in PAPER_MEASURES or measure in {known.name for known in PAPER_MEASURES}
 
 
-def _value(image: AffineImage, measure: str | Measure) -> Surd:
+def _value(image: AffineImage, measure: str | Measure[Surd]) -> Surd:
     return image.relative_protection if measure == "relative_protection" else image.quality(measure)
