@@ -28,7 +28,13 @@ HEURISTIC = 5
 class Region(Protocol):
     """A closed convex region that is symmetric about its centre. Points are given relative to that."""
 
-    centre: Floats
+    @property
+    def centre(self) -> Floats:
+        """Its centre."""
+
+    @property
+    def half(self) -> Floats:
+        """Half the edges of the least box around it."""
 
     @property
     def volume(self) -> float:
@@ -113,6 +119,11 @@ class Ball:
         return cls(_vector(centre, d, "the centre"), size)
 
     @property
+    def half(self) -> Floats:
+        """The radius, for each coordinate."""
+        return np.full(len(self.centre), self.radius)
+
+    @property
     def volume(self) -> float:
         """The volume of a ball."""
         d = len(self.centre)
@@ -139,30 +150,36 @@ class Ball:
         take those facets that the centre is beyond, go to where they meet, add those that the new point is
         beyond, and so on, d times at most (Chandrasekaran, *Opsearch* 7, 1970, on M-matrices).
         """
-        at_centre = -np.einsum("nkd,nkd->nk", gradients, corners)  # coordinate k is 1 at corner k
-        at_centre = 1 + at_centre
+        means = corners.mean(axis=1)
+        least = np.einsum("nkd,nd->nk", corners, means).min(axis=1)
+        near = np.flatnonzero(least <= self.radius * np.linalg.norm(means, axis=1))  # cheap, and rarely in vain
+        corners, gradients = corners[near], gradients[near]
+        levels = 1 - np.einsum("nkd,nkd->nk", gradients, corners)  # the barycentric coordinates of the centre
         products = gradients @ gradients.transpose(0, 2, 1)
-        beyond, multipliers = at_centre < -TINY, np.zeros_like(at_centre)
+        beyond, multipliers = levels < -TINY, np.zeros_like(levels)
         waiting = np.flatnonzero(beyond.any(axis=1))
         while len(waiting):
-            b, g, level = beyond[waiting], products[waiting], at_centre[waiting]
+            b, g, level = beyond[waiting], products[waiting], levels[waiting]
             system = np.where(b[:, :, None] & b[:, None, :], g, np.eye(b.shape[1]))
             found = np.linalg.solve(system, np.where(b, -level, 0)[..., None])
             multipliers[waiting] = found[..., 0]
             more = ((g @ found)[..., 0] + level < -TINY) & ~b
             beyond[waiting] |= more
             waiting = waiting[more.any(axis=1)]
-        return np.asarray(-np.einsum("nk,nk->n", multipliers, at_centre) <= self.radius**2)
+        result = np.zeros(len(least), dtype=np.bool_)
+        result[near] = -np.einsum("nk,nk->n", multipliers, levels) <= self.radius**2
+        return result
 
 
 def meets(region: Region, corners: Floats, gradients: Floats) -> Flags:
     """Which simplices meet a region; corners and gradients have the shape (n, d + 1, d).
 
-    Most are settled by a corner that lies inside, or by a facet with the region beyond it.
+    Most are settled by a corner inside, a facet with the region beyond it, or the box around the region.
     """
     result: Flags = (region.distance(corners) == 0).any(axis=1)
     highest = 1 - np.einsum("nkd,nkd->nk", gradients, corners) + region.reach(gradients)
-    unsettled = np.flatnonzero(~result & (highest >= 0).all(axis=1))
+    near = (corners.min(axis=1) <= region.half) & (corners.max(axis=1) >= -region.half)
+    unsettled = np.flatnonzero(~result & (highest >= 0).all(axis=1) & near.all(axis=1))
     result[unsettled] = region.touches(corners[unsettled], gradients[unsettled])
     return result
 

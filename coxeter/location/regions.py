@@ -189,20 +189,23 @@ class Search:
 
     def _blocks(self, lattice: Ints) -> Iterator[tuple[Ints, Ints]]:
         """As `meets`, but simplices that share a corner or a gradient look at it once."""
-        star, grid = self.grid._star, self.grid
+        star, grid, d = self.grid._star, self.grid, self.grid.dimension
         unmoved = grid.frame.turned(star.points / grid.vertex_unit)
-        reach, ones = self.region.reach(star.normals), np.arange(grid.dimension + 1) == 0
+        reach, bits = self.region.reach(star.normals), 1 << np.arange(2 * d, dtype=np.uint16)
         size = max(1, BLOCK // len(star.keys))
         for start in range(0, len(lattice), size):
             at = self._place(lattice[start : start + size])
-            inside = self.region.distance(at[:, None] + unmoved) == 0
+            points = at[:, None] + unmoved
+            inside = self.region.distance(points) == 0
+            sides = np.concatenate([points > self.region.half, points < -self.region.half], axis=2) @ bits
             highest = reach - at @ star.normals.T
             meet = np.zeros((len(at), len(star.keys)), dtype=np.bool_)
-            beyond = meet.copy()
-            for k, one in enumerate(ones):
+            beyond, common = meet.copy(), np.full(meet.shape, 2 ** (2 * d) - 1, dtype=np.uint16)
+            for k in range(d + 1):
                 meet |= inside[:, star.corners[:, k]]
-                beyond |= (highest + one < 0)[:, star.sides[:, k]]
-            v, s = np.nonzero(~meet & ~beyond)
+                common &= sides[:, star.corners[:, k]]
+                beyond |= (highest + (k == 0) < 0)[:, star.sides[:, k]]
+            v, s = np.nonzero(~meet & ~beyond & (common == 0))
             corners = at[v, None] + unmoved[star.corners[s]]
             meet[v, s] = self.region.touches(corners, star.normals[star.sides[s]])
             v, s = np.nonzero(meet)
