@@ -108,7 +108,9 @@ def _draw(data: Levels, centre: NDArray[np.float64], radius: float) -> Canvas:
     shade = np.minimum((means - low) / span * _SHADES, _SHADES - 1).astype(int)
     for k in range(_SHADES):
         outlines = pixels(data.mesh.corners[shade == k])
-        canvas.polygons(outlines, BLUE, 0.06 + 0.07 * k, FAINT)
+        canvas.polygons(outlines, BLUE, 0.06 + 0.07 * k)
+    pairs = np.unique(np.sort(data.mesh.cells[:, [[0, 1], [1, 2], [2, 0]]].reshape(-1, 2)), axis=0)
+    canvas.lines(pixels(data.mesh.points[pairs]), FAINT)
     for segments in data.lines.values():
         canvas.lines(pixels(segments), Pen(VERMILLION, 2.2))
     canvas.disc((0.0, 0.0), _RADIUS, None, Pen(INK, 1.4, (5.0, 4.0)))
