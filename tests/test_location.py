@@ -258,6 +258,20 @@ def test_huge_exact_points(name, power):
         assert len(grid.star(far.keys[0], 1)) == len(grid.star(near.keys[0], 1))
 
 
+def test_fractions_with_huge_denominators(name):
+    """Units too large for machine integers, in every step of folding: as the core folds."""
+    t, grid = triangulation(name), Grid(name)
+    weights = t.roots.fundamental_coweights
+    factors = np.random.default_rng(8).integers(-(2**62), 2**62, (6, t.dimension)).astype(object)
+    rows = factors @ weights.numerators.astype(object)
+    points = np.array([[Fraction(int(x), 3**39 * weights.denominator) for x in row] for row in rows])
+    found = grid.locate(points)
+    for point, shares in zip(points, found.barycentric, strict=True):
+        assert tuple(shares) == t.fold(point).barycentric
+    near = np.array([[2.0**-70] * grid.dimension])  # a float so close to a wall is decided as a fraction
+    assert np.isclose(grid.locate(near).barycentric.sum(), 1)
+
+
 def test_keys_may_be_any_integers():
     grid = Grid("B~3")
     keys = grid.locate(some_points("B~3", 5)).keys

@@ -40,7 +40,7 @@ class Levels(NamedTuple):
 def level_lines(
     grid: Grid, f: Function, centre: ArrayLike, radius: float, levels: ArrayLike
 ) -> Figure[Levels]:
-    """The triangles that meet a disc, darker where a function is greater, and its level lines in the patch.
+    """The triangles that meet a disc, bluer where a function is greater, and its level lines in the patch.
 
     Parameters
     ----------
@@ -71,7 +71,7 @@ def level_lines(
     lines = {float(level): _line(mesh.corners, values[mesh.cells] - level) for level in np.ravel(levels)}
     name = grid.triangulation.name
     alt = (
-        f"A disc covered by the {len(mesh)} triangles of {name} that meet it, darker where a function is "
+        f"A disc covered by the {len(mesh)} triangles of {name} that meet it, bluer where a function is "
         f"greater. {len(lines)} level lines of the function, straight in each triangle, run on without a gap."
     )
     data = Levels(mesh, values, lines)

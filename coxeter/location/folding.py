@@ -170,7 +170,7 @@ def _sort_signed(
         odd = np.flatnonzero(shift.sum(axis=1) % 2)
         first, way = index[odd, 0], signs[odd, 0]
         shift[odd, first] += way
-        rest[odd, 0] -= way * unit
+        rest[odd, 0] -= way.astype(rest.dtype) * unit
         signs[odd, 0] = -way
     if kind == "D":
         signs[:, -1] *= np.prod(signs, axis=1)
