@@ -1,0 +1,190 @@
+"""Boxes and balls, and which simplices meet them.
+
+A region is closed. Simplices that touch it count, and so do those that rounding cannot tell from such: before
+anything is decided, the region is enlarged by `SLACK` times the largest coordinate at hand.
+"""
+
+from __future__ import annotations
+
+import math
+from dataclasses import dataclass
+from typing import Protocol
+
+import numpy as np
+from numpy.typing import ArrayLike
+
+from ..errors import InvalidInput
+from .feasible import TINY, Flags, Floats, feasible
+
+SLACK = 2.0**-44
+"""How much a region is enlarged, relative to the largest coordinate: 512 times the rounding of a float."""
+
+
+class Region(Protocol):
+    """A closed convex region that is symmetric about its centre. Points are given relative to that."""
+
+    @property
+    def centre(self) -> Floats:
+        """Its centre."""
+
+    @property
+    def half(self) -> Floats:
+        """Half the edges of the least box around it."""
+
+    @property
+    def volume(self) -> float:
+        """Its volume."""
+
+    def enlarged(self, by: float) -> Region:
+        """The same, with all that lies within a distance."""
+
+    def reach(self, directions: Floats) -> Floats:
+        """The maxima of <x, direction> over the region, for directions (..., d)."""
+
+    def distance(self, points: Floats) -> Floats:
+        """How far points (..., d) are from the region: 0 inside."""
+
+    def touches(self, corners: Floats, gradients: Floats) -> Flags:
+        """Which simplices meet it, by their corners and the gradients of their barycentric coordinates."""
+
+
+@dataclass(frozen=True, eq=False)
+class Box:
+    """A box by its middle and half its edges."""
+
+    centre: Floats
+    half: Floats
+
+    @classmethod
+    def between(cls, lower: ArrayLike, upper: ArrayLike, d: int) -> Box:
+        """The box of all x with lower <= x <= upper in each coordinate."""
+        low, high = _vector(lower, d, "the lower corner"), _vector(upper, d, "the upper corner")
+        if (low > high).any():
+            k = int(np.flatnonzero(low > high)[0])
+            raise InvalidInput(f"coordinate {k} of the box runs from {low[k]:g} to {high[k]:g}: swap them")
+        return cls((low + high) / 2, (high - low) / 2)
+
+    @property
+    def volume(self) -> float:
+        """The product of its edges."""
+        return float(np.prod(2 * self.half))
+
+    def enlarged(self, by: float) -> Box:
+        """A larger box."""
+        return Box(self.centre, self.half + by)
+
+    def reach(self, directions: Floats) -> Floats:
+        """The maxima of <x, direction>."""
+        return np.asarray(np.abs(directions) @ self.half)
+
+    def distance(self, points: Floats) -> Floats:
+        """How far points are from the box."""
+        return np.asarray(np.linalg.norm(np.maximum(np.abs(points) - self.half, 0), axis=-1))
+
+    def touches(self, corners: Floats, gradients: Floats) -> Flags:
+        """Which simplices have a point in common with the box: a linear program for each, all at once."""
+        unit = np.abs(corners - corners[:, :1]).max(initial=0) or 1.0
+        start = self.distance(corners).argmin(axis=1)
+        rows = np.arange(len(corners))[:, None]
+        others = (start[:, None] + np.arange(1, corners.shape[1])) % corners.shape[1]
+        first = corners[rows[:, 0], start] / unit
+        edges = corners[rows, others] / unit - first[:, None]
+        # x - first = sum of t_k edge_k and -sum of t_k, with bounds for all of them
+        table = np.concatenate([edges.transpose(0, 2, 1), -np.ones_like(edges[:, :1])], axis=1)
+        n, d = first.shape
+        half = self.half / unit
+        lower = np.concatenate([-half - first, np.full((n, 1), -1.0), np.zeros((n, d))], axis=1)
+        upper = np.concatenate([half - first, np.full((n, d + 1), np.inf)], axis=1)
+        return feasible(table, lower, upper)
+
+
+@dataclass(frozen=True, eq=False)
+class Ball:
+    """A ball."""
+
+    centre: Floats
+    radius: float
+
+    @classmethod
+    def around(cls, centre: ArrayLike, radius: float, d: int) -> Ball:
+        """The ball of a radius, 0 or more, about a centre."""
+        size = float(radius)
+        if not (math.isfinite(size) and size >= 0):
+            raise InvalidInput(f"{radius!r} is no radius: give a number that is 0 or more")
+        return cls(_vector(centre, d, "the centre"), size)
+
+    @property
+    def half(self) -> Floats:
+        """The radius, for each coordinate."""
+        return np.full(len(self.centre), self.radius)
+
+    @property
+    def volume(self) -> float:
+        """The volume of a ball."""
+        d = len(self.centre)
+        return float(math.pi ** (d / 2) / math.gamma(d / 2 + 1) * self.radius**d)
+
+    def enlarged(self, by: float) -> Ball:
+        """A larger ball."""
+        return Ball(self.centre, self.radius + by)
+
+    def reach(self, directions: Floats) -> Floats:
+        """The maxima of <x, direction>."""
+        return np.asarray(self.radius * np.linalg.norm(directions, axis=-1))
+
+    def distance(self, points: Floats) -> Floats:
+        """How far points are from the ball."""
+        return np.asarray(np.maximum(np.linalg.norm(points, axis=-1) - self.radius, 0))
+
+    def touches(self, corners: Floats, gradients: Floats) -> Flags:
+        """Which simplices are no farther from the centre than the radius.
+
+        The point of a simplex that is nearest to the centre is the centre plus the sum of l_j gradient_j,
+        with l_j >= 0, and l_j = 0 unless barycentric coordinate j is 0 there. No angle between facets is
+        obtuse: the inner products of different gradients are not positive. So the l_j are found without a
+        step back. Take those facets that the centre is beyond, go to where they meet, add those that the new
+        point is beyond, and so on, d times at most (Chandrasekaran, *Opsearch* 7, 1970, on Z-matrices).
+        """
+        # First, as it is cheap: is there a plane between, orthogonal to the way to the mean of the corners?
+        means = corners.mean(axis=1)
+        least = np.einsum("nkd,nd->nk", corners, means).min(axis=1)
+        near = np.flatnonzero(least <= self.radius * np.linalg.norm(means, axis=1))
+        corners, gradients = corners[near], gradients[near]
+        levels = 1 - np.einsum("nkd,nkd->nk", gradients, corners)  # the barycentric coordinates of the centre
+        products = gradients @ gradients.transpose(0, 2, 1)
+        beyond, multipliers = levels < -TINY, np.zeros_like(levels)
+        waiting = np.flatnonzero(beyond.any(axis=1))
+        while len(waiting):
+            b, g, level = beyond[waiting], products[waiting], levels[waiting]
+            system = np.where(b[:, :, None] & b[:, None, :], g, np.eye(b.shape[1]))
+            found = np.linalg.solve(system, np.where(b, -level, 0)[..., None])
+            multipliers[waiting] = found[..., 0]
+            more = ((g @ found)[..., 0] + level < -TINY) & ~b
+            beyond[waiting] |= more
+            waiting = waiting[more.any(axis=1)]
+        result = np.zeros(len(least), dtype=np.bool_)
+        result[near] = -np.einsum("nk,nk->n", multipliers, levels) <= self.radius**2
+        return result
+
+
+def meets(region: Region, corners: Floats, gradients: Floats) -> Flags:
+    """Which simplices meet a region; corners and gradients have the shape (n, d + 1, d).
+
+    Most are settled by a corner inside, a facet with the region beyond it, or the box around the region.
+    """
+    result: Flags = (region.distance(corners) == 0).any(axis=1)
+    highest = 1 - np.einsum("nkd,nkd->nk", gradients, corners) + region.reach(gradients)
+    near = (corners.min(axis=1) <= region.half) & (corners.max(axis=1) >= -region.half)
+    unsettled = np.flatnonzero(~result & (highest >= 0).all(axis=1) & near.all(axis=1))
+    result[unsettled] = region.touches(corners[unsettled], gradients[unsettled])
+    return result
+
+
+def _vector(given: ArrayLike, d: int, what: str) -> Floats:
+    try:
+        vector = np.array(given, dtype=np.float64)
+    except (TypeError, ValueError):
+        raise InvalidInput(f"{what} is {given!r}: expected {d} numbers") from None
+    if vector.shape != (d,) or not np.isfinite(vector).all():
+        raise InvalidInput(f"{what} is {np.asarray(given).tolist()}: expected {d} finite numbers")
+    return vector
