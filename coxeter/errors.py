@@ -27,3 +27,7 @@ class DegenerateSimplex(InvalidInput):
 
 class Undecided(CoxeterError):
     """The method at hand can neither prove nor refute the statement."""
+
+
+class Unavailable(CoxeterError):
+    """There is such a value, but no method here finds it."""

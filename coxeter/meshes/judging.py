@@ -1,0 +1,142 @@
+"""All cells of a mesh, judged by the registered measures."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterable
+from dataclasses import dataclass
+from typing import Any
+
+import numpy as np
+from numpy.typing import ArrayLike, NDArray
+
+from ..errors import CoxeterError, InvalidInput
+from ..quality import MEASURES, Measure, find_measure
+from ..simplex import regular_simplex
+from .mesh import Mesh
+from .simplices import Simplices
+
+Floats = NDArray[np.float64]
+Cells = Mesh | Simplices | ArrayLike
+"""A mesh; simplices; or their corners, an array (n, d + 1, m), which may be of Dask."""
+
+
+@dataclass(frozen=True)
+class Judge:
+    """A measure for many simplices of one dimension, divided by `regular`, to the power `power`."""
+
+    name: str
+    of: Callable[[Any], Any]
+    regular: float
+    power: float
+
+    def __call__(self, simplices: Simplices) -> Floats:
+        """The values, shape (n,): NaN for a degenerate simplex."""
+        with np.errstate(all="ignore"):  # what is no number is NaN, and counted
+            values = (np.asarray(self.of(simplices), dtype=np.float64) / self.regular) ** self.power
+        if values.shape != (len(simplices),):
+            raise InvalidInput(
+                f"{self.name!r} of {len(simplices)} simplices has shape {values.shape}: one number each is needed"
+            )
+        return np.where(simplices.degenerate, np.nan, values)
+
+
+def judges(
+    measures: Iterable[str | Measure] | None, d: int, normalised: bool = True
+) -> tuple[list[Judge], dict[str, str]]:
+    """The measures made ready for many d-simplices, and why others are left out.
+
+    None stands for all that are registered and can be had of arrays. One that is asked for and cannot be had is
+    refused. Each is tried on the regular simplex first, on which the exact value is known.
+    """
+    ready, left_out = [], {}
+    for given in MEASURES if measures is None else measures:
+        measure = find_measure(given) if isinstance(given, str) else given
+        try:
+            ready.append(_judge(measure, d, normalised))
+        except CoxeterError as error:
+            if measures is not None:
+                raise
+            left_out[measure.name] = str(error)
+    return ready, left_out
+
+
+def _judge(measure: Measure, d: int, normalised: bool) -> Judge:
+    exact = float(measure(regular_simplex(d)))
+    raw = Judge(measure.name, measure.of, 1.0, 1.0)
+    try:
+        found = raw(Simplices(np.eye(d + 1)[None]))[0]
+    except (AttributeError, TypeError, ValueError, IndexError, NotImplementedError) as error:
+        if isinstance(error, CoxeterError):
+            raise
+        raise InvalidInput(
+            f"the measure {measure.name!r} cannot be had of many simplices at once ({error}): "
+            "write it with what `Simplices` knows, such as minimal_height"
+        ) from error
+    if not abs(found - exact) <= 1e-9 * abs(exact):
+        raise InvalidInput(
+            f"the measure {measure.name!r} is {exact:g} of the regular {d}-simplex, but {found:g} of an array "
+            "that holds it: write it as a formula, without branches"
+        )
+    return Judge(measure.name, measure.of, exact, 1 / d if measure.per_dimension else 1.0) if normalised else raw
+
+
+def mesh_qualities(
+    mesh: Cells, measures: Iterable[str | Measure] | None = None, normalised: bool = True
+) -> dict[str, Any]:
+    """The measures of all cells, by name: arrays (n,), with NaN for degenerate cells.
+
+    Parameters
+    ----------
+    mesh
+        A mesh, simplices, or corners (n, d + 1, m). From a Dask array come Dask arrays.
+    measures
+        Names, or measures; all that can be had by default.
+    normalised
+        Whether to divide by the regular simplex, to the power 1/d where the measure says so.
+
+    Raises
+    ------
+    InvalidInput
+        If there is no such measure, or it cannot be had of arrays.
+    Unavailable
+        If there is no method for it in this dimension.
+
+    Examples
+    --------
+    >>> square = Mesh([[0, 0], [1, 0], [0, 1], [1, 1]], [[0, 1, 2], [1, 2, 3]])
+    >>> mesh_qualities(square, ["thickness"])["thickness"].round(6).tolist()
+    [0.57735, 0.57735]
+    """
+    if is_lazy(mesh):
+        rows: Any = whole_rows(mesh)
+        ready, _ = judges(measures, rows.shape[1] - 1, normalised)
+        columns = rows.map_blocks(
+            _columns, ready, dtype=np.float64, drop_axis=[1, 2], new_axis=[1],
+            chunks=(rows.chunks[0], (len(ready),)), meta=np.empty((0, 0)),
+        )  # fmt: skip
+        return {judge.name: columns[:, i] for i, judge in enumerate(ready)}
+    simplices = as_simplices(mesh)
+    ready, _ = judges(measures, simplices.dimension, normalised)
+    return {judge.name: judge(simplices) for judge in ready}
+
+
+def _columns(corners: Floats, ready: list[Judge]) -> Floats:
+    simplices = Simplices(corners)
+    return np.stack([judge(simplices) for judge in ready], axis=1)
+
+
+def as_simplices(mesh: Cells) -> Simplices:
+    """The cells of a mesh, or what is given as corners."""
+    return mesh if isinstance(mesh, Simplices) else Simplices(getattr(mesh, "corners", mesh))
+
+
+def is_lazy(mesh: Any) -> bool:
+    """Whether it is an array of Dask."""
+    return hasattr(mesh, "dask") and hasattr(mesh, "rechunk")
+
+
+def whole_rows(corners: Any) -> Any:
+    """An array of Dask whose blocks hold whole simplices."""
+    if corners.ndim != 3:
+        raise InvalidInput(f"corners of shape {corners.shape}: expected (n, d + 1, m)")
+    return corners.rechunk({1: -1, 2: -1})
