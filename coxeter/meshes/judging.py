@@ -7,7 +7,7 @@ from dataclasses import dataclass
 from typing import Any
 
 import numpy as np
-from numpy.typing import ArrayLike, NDArray
+from numpy.typing import NDArray
 
 from ..errors import CoxeterError, InvalidInput
 from ..quality import MEASURES, Measure, find_measure
@@ -16,7 +16,7 @@ from .mesh import Mesh
 from .simplices import Simplices
 
 Floats = NDArray[np.float64]
-Cells = Mesh | Simplices | ArrayLike
+Cells = Mesh | Simplices | Any
 """A mesh; simplices; or their corners, an array (n, d + 1, m), which may be of Dask."""
 
 
@@ -77,7 +77,9 @@ def _judge(measure: Measure, d: int, normalised: bool) -> Judge:
             f"the measure {measure.name!r} is {exact:g} of the regular {d}-simplex, but {found:g} of an array "
             "that holds it: write it as a formula, without branches"
         )
-    return Judge(measure.name, measure.of, exact, 1 / d if measure.per_dimension else 1.0) if normalised else raw
+    return (
+        Judge(measure.name, measure.of, exact, 1 / d if measure.per_dimension else 1.0) if normalised else raw
+    )
 
 
 def mesh_qualities(
@@ -127,7 +129,9 @@ def _columns(corners: Floats, ready: list[Judge]) -> Floats:
 
 def as_simplices(mesh: Cells) -> Simplices:
     """The cells of a mesh, or what is given as corners."""
-    return mesh if isinstance(mesh, Simplices) else Simplices(getattr(mesh, "corners", mesh))
+    if isinstance(mesh, Simplices):
+        return mesh
+    return Simplices(mesh.corners if isinstance(mesh, Mesh) else np.asarray(mesh))
 
 
 def is_lazy(mesh: Any) -> bool:

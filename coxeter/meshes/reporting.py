@@ -168,7 +168,7 @@ def quality_report(
 ) -> QualityReport:
     """How the measures are distributed over the cells of a mesh.
 
-    Beside the mesh it takes memory for one chunk: less than 150·(d + 1)² bytes a cell of it, and for each measure
+    Beside the mesh it takes memory for one chunk: less than 150·(d + 1)(m + 1) bytes a cell of it, and for each measure
     some hundred kilobytes for the values that occur. A Dask array of corners is worked on where its blocks are, a
     block at a time on each worker.
 
@@ -227,10 +227,11 @@ def _in_chunks(mesh: Mesh | Simplices, ready: list[Judge], chunk: int) -> Iterat
 
 
 def _on_workers(corners: Any, ready: list[Judge]) -> Iterable[Tally]:
-    import dask
+    from dask.base import compute
+    from dask.delayed import delayed
 
     blocks = corners.to_delayed().ravel()
-    parts: Iterable[Tally] = dask.compute(*(dask.delayed(_tally)(block, ready) for block in blocks))
+    parts: Iterable[Tally] = compute(*(delayed(_tally)(block, ready) for block in blocks))  # type: ignore[no-untyped-call]
     return parts
 
 

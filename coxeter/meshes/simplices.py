@@ -9,6 +9,7 @@ from __future__ import annotations
 
 import math
 from functools import cached_property
+from itertools import combinations
 from typing import Any
 
 import numpy as np
@@ -32,8 +33,7 @@ class Values(np.ndarray[Any, np.dtype[np.float64]]):
         >>> np.array([4.0, 9.0]).view(Values).root(2).tolist()
         [2.0, 3.0]
         """
-        result: Values = self ** (1 / n)
-        return result
+        return (self ** (1 / n)).view(Values)
 
 
 class Simplices:
@@ -84,7 +84,7 @@ class Simplices:
     @property
     def dimension(self) -> int:
         """The dimension d."""
-        return self.corners.shape[1] - 1
+        return int(self.corners.shape[1]) - 1
 
     # -- the two matrices --------------------------------------------------------------------------------------
 
@@ -93,7 +93,7 @@ class Simplices:
         """R and its inverse, of simplices brought to a size of about 1; and by which powers of two."""
         edges = (self.corners[:, 1:] - self.corners[:, :1]).swapaxes(1, 2)
         exponents = np.frexp(np.abs(edges).max(axis=(1, 2), initial=0))[1]
-        r = np.linalg.qr(np.ldexp(edges, -exponents[:, None, None]), mode="r")
+        r: Floats = np.asarray(np.linalg.qr(np.ldexp(edges, -exponents[:, None, None]), mode="r"))
         flat = np.abs(np.diagonal(r, axis1=1, axis2=2)).min(axis=1) < UNIT
         r[flat] = 0
         inverse = np.linalg.inv(np.where(flat[:, None, None], np.eye(self.dimension), r))
@@ -135,7 +135,7 @@ class Simplices:
     @cached_property
     def _squared_edges(self) -> Floats:
         """Of all pairs i < j, shape (n, d (d + 1) / 2)."""
-        pairs = np.stack(np.triu_indices(self.dimension + 1, 1), axis=1)
+        pairs = combinations(range(self.dimension + 1), 2)
         with np.errstate(over="ignore"):
             return np.stack([_squares(self.corners[:, i] - self.corners[:, j]) for i, j in pairs], axis=1)
 
@@ -205,7 +205,7 @@ class Simplices:
     @cached_property
     def _normals(self) -> Floats:
         """The inward unit normals of the facets, (n, d + 1, d)."""
-        return self._gradients / np.linalg.norm(self._gradients, axis=2, keepdims=True)
+        return self._gradients / np.sqrt(_squares(self._gradients))[:, :, None]
 
     @property
     def dihedral_cosines(self) -> Values:
@@ -215,9 +215,12 @@ class Simplices:
     @cached_property
     def _dihedral_angles(self) -> Values:
         """In radians, of all pairs i < j; from sums and differences of normals, sound near 0 and π too."""
-        i, j = np.triu_indices(self.dimension + 1, 1)
-        a, b = self._normals[:, i], self._normals[:, j]
-        return self._known(2 * np.arctan2(np.sqrt(_squares(a + b)), np.sqrt(_squares(a - b))))
+        n = self._normals
+        halves = [
+            np.arctan2(np.sqrt(_squares(n[:, i] + n[:, j])), np.sqrt(_squares(n[:, i] - n[:, j])))
+            for i, j in combinations(range(self.dimension + 1), 2)
+        ]
+        return self._known(2 * np.stack(halves, axis=1))
 
     @property
     def minimal_dihedral_angle(self) -> Values:
