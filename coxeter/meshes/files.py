@@ -70,14 +70,14 @@ UNREADABLE = (".svg", ".wkt")
 """Suffixes that meshio knows, and does not read or not in time."""
 
 
-# -- reading --------------------------------------------------------------------------------------------------
+# -- reading ---------------------------------------------------------------------------------------------
 
 
 def read_mesh(path: str | os.PathLike[str]) -> Mesh:
     """The simplices of a mesh file, with their data.
 
-    Of a file with cells of several kinds the tetrahedra are taken, or the triangles if there are none; a warning
-    says what was left out. The arrays of an NPZ file stay on disk until they are used.
+    Of a file with cells of several kinds the tetrahedra are taken, or the triangles if there are none; a
+    warning says what was left out. The arrays of an NPZ file stay on disk until they are used.
 
     Parameters
     ----------
@@ -167,14 +167,14 @@ def _map(path: Path, info: zipfile.ZipInfo, loaded: Any) -> NDArray[Any]:
         return np.memmap(path, dtype, "r", file.tell(), shape, "F" if by_columns else "C")
 
 
-# -- writing --------------------------------------------------------------------------------------------------
+# -- writing ---------------------------------------------------------------------------------------------
 
 
 def write_mesh(mesh: Mesh, path: str | os.PathLike[str]) -> None:
     """Write a mesh; the old file stays until the new one is complete.
 
-    A format that does not keep the mesh's data says so by a warning. Points of the plane get a third coordinate 0
-    where a format needs it.
+    A format that does not keep the mesh's data says so by a warning. Points of the plane get a third
+    coordinate 0 where a format needs it.
 
     Parameters
     ----------
@@ -223,7 +223,7 @@ def _write_npz(mesh: Mesh, path: Path) -> None:
         if array.dtype.hasobject:
             raise InvalidInput(f"{name} holds Python objects: NPZ holds numbers and text")
     with open(path, "wb") as file:
-        np.savez(file, points=mesh.points, cells=mesh.cells, **arrays)  # type: ignore[arg-type]
+        np.savez(file, points=mesh.points, cells=mesh.cells, **arrays)
 
 
 @contextmanager

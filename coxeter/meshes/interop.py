@@ -27,7 +27,7 @@ def library(name: str) -> Any:
         raise InvalidInput(f"this needs {name}: pip install {INSTALL.get(name, name)}") from error
 
 
-# -- meshio ---------------------------------------------------------------------------------------------------
+# -- meshio ----------------------------------------------------------------------------------------------
 
 
 def to_meshio(mesh: Mesh, pad: bool = False) -> Any:
@@ -44,7 +44,7 @@ def to_meshio(mesh: Mesh, pad: bool = False) -> Any:
 
 
 def from_meshio(found: Any) -> Mesh:
-    """The tetrahedra of a `meshio.Mesh`, or its triangles if there are none; a warning says what is left out."""
+    """The tetrahedra of a `meshio.Mesh`, or else its triangles; a warning says what is left out."""
     data = [{name: blocks[i] for name, blocks in found.cell_data.items()} for i in range(len(found.cells))]
     blocks = [(block.type, block.data, x) for block, x in zip(found.cells, data, strict=True)]
     return _chosen(found.points, blocks, found.point_data)
@@ -86,7 +86,7 @@ def _in_space(mesh: Mesh) -> NDArray[np.float64]:
     return np.hstack([mesh.points, np.zeros((n, 3 - m))])
 
 
-# -- PyVista --------------------------------------------------------------------------------------------------
+# -- PyVista ---------------------------------------------------------------------------------------------
 
 
 def to_pyvista(mesh: Mesh) -> Any:
@@ -102,7 +102,7 @@ def to_pyvista(mesh: Mesh) -> Any:
 
 
 def from_pyvista(dataset: Any) -> Mesh:
-    """The tetrahedra of a PyVista dataset, or its triangles if there are none; a warning says what is left out."""
+    """The tetrahedra of a PyVista dataset, or else its triangles; a warning says what is left out."""
     pyvista = library("pyvista")
     grid = dataset.cast_to_unstructured_grid()
     names = {int(pyvista.CellType.TRIANGLE): "triangle", int(pyvista.CellType.TETRA): "tetra"}
@@ -115,7 +115,7 @@ def from_pyvista(dataset: Any) -> Mesh:
     return _chosen(grid.points, blocks, {name: np.asarray(x) for name, x in grid.point_data.items()})
 
 
-# -- GUDHI ----------------------------------------------------------------------------------------------------
+# -- GUDHI -----------------------------------------------------------------------------------------------
 
 
 def to_gudhi(mesh: Mesh, filtration: ArrayLike | None = None) -> Any:
@@ -141,7 +141,8 @@ def to_gudhi(mesh: Mesh, filtration: ArrayLike | None = None) -> Any:
     values = np.asarray(filtration, dtype=np.float64)
     if values.shape != (len(mesh.points),) or not np.isfinite(values).all():
         raise InvalidInput(
-            f"a filtration of shape {values.shape}: expected a finite number for each of {len(mesh.points)} points"
+            f"a filtration of shape {values.shape}: expected a finite number for each of "
+            f"{len(mesh.points)} points"
         )
     for size in range(1, mesh.dimension + 2):
         for columns in combinations(range(mesh.dimension + 1), size):
@@ -151,7 +152,7 @@ def to_gudhi(mesh: Mesh, filtration: ArrayLike | None = None) -> Any:
 
 
 def from_gudhi(tree: Any, points: ArrayLike) -> Mesh:
-    """The simplices of the largest dimension of a `gudhi.SimplexTree`, on points (n, m) that its vertices number.
+    """The simplices of the largest dimension of a `gudhi.SimplexTree`, whose vertices number points (n, m).
 
     Raises
     ------

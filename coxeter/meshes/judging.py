@@ -35,7 +35,7 @@ class Judge:
             values = (np.asarray(self.of(simplices), dtype=np.float64) / self.regular) ** self.power
         if values.shape != (len(simplices),):
             raise InvalidInput(
-                f"{self.name!r} of {len(simplices)} simplices has shape {values.shape}: one number each is needed"
+                f"{self.name!r} of {len(simplices)} simplices has shape {values.shape}: expected a number each"
             )
         return np.where(simplices.degenerate, np.nan, values)
 
@@ -45,8 +45,8 @@ def judges(
 ) -> tuple[list[Judge], dict[str, str]]:
     """The measures made ready for many d-simplices, and why others are left out.
 
-    None stands for all that are registered and can be had of arrays. One that is asked for and cannot be had is
-    refused. Each is tried on the regular simplex first, on which the exact value is known.
+    None stands for all that are registered and can be had of arrays. One that is asked for and cannot be had
+    is refused. Each is tried on the regular simplex first, on which the exact value is known.
     """
     ready, left_out = [], {}
     for given in MEASURES if measures is None else measures:
@@ -74,8 +74,8 @@ def _judge(measure: Measure, d: int, normalised: bool) -> Judge:
         ) from error
     if not abs(found - exact) <= 1e-9 * abs(exact):
         raise InvalidInput(
-            f"the measure {measure.name!r} is {exact:g} of the regular {d}-simplex, but {found:g} of an array "
-            "that holds it: write it as a formula, without branches"
+            f"the measure {measure.name!r} is {exact:g} of the regular {d}-simplex, but {found:g} of an "
+            "array that holds it: write it as a formula, without branches"
         )
     return (
         Judge(measure.name, measure.of, exact, 1 / d if measure.per_dimension else 1.0) if normalised else raw

@@ -1,7 +1,7 @@
 """The qualities of all cells of a mesh, summed up; in chunks, so that a mesh of any size has its report.
 
-A chunk becomes a `Tally`, and tallies add up. Values are counted by themselves rounded to 14 binary digits: that
-keeps quantiles and histograms to a relative 2^-14, in memory that does not grow with the mesh.
+A chunk becomes a `Tally`, and tallies add up. Values are counted by themselves rounded to 14 binary digits:
+that keeps quantiles and histograms to a relative 2^-14, in memory that does not grow with the mesh.
 """
 
 from __future__ import annotations
@@ -168,9 +168,9 @@ def quality_report(
 ) -> QualityReport:
     """How the measures are distributed over the cells of a mesh.
 
-    Beside the mesh it takes memory for one chunk: less than 150·(d + 1)(m + 1) bytes a cell of it, and for each measure
-    some hundred kilobytes for the values that occur. A Dask array of corners is worked on where its blocks are, a
-    block at a time on each worker.
+    Beside the mesh it takes memory for one chunk: less than 150·(d + 1)(m + 1) bytes a cell of it, and for
+    each measure some hundred kilobytes for the values that occur. A Dask array of corners is worked on where
+    its blocks are, a block at a time on each worker.
 
     Parameters
     ----------
@@ -181,7 +181,8 @@ def quality_report(
     normalised
         Whether to divide by the regular simplex, to the power 1/d where the measure says so.
     bins
-        Bars of the histograms. They reach from 0 to 1 if all values lie there, else from the least to the greatest.
+        Bars of the histograms. They reach from 0 to 1 if all values lie there, else from the least to the
+        greatest.
     chunk
         How many cells are looked at together.
 
@@ -231,7 +232,8 @@ def _on_workers(corners: Any, ready: list[Judge]) -> Iterable[Tally]:
     from dask.delayed import delayed
 
     blocks = corners.to_delayed().ravel()
-    parts: Iterable[Tally] = compute(*(delayed(_tally)(block, ready) for block in blocks))  # type: ignore[no-untyped-call]
+    tasks = [delayed(_tally)(block, ready) for block in blocks]
+    parts: Iterable[Tally] = compute(*tasks)  # type: ignore[no-untyped-call]
     return parts
 
 

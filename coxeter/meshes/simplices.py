@@ -1,8 +1,8 @@
-"""Many simplices at once, in floats: what `Simplex` knows of one exactly, as arrays, and how far rounding goes.
+"""Many simplices at once, as floats: what `Simplex` knows of one exactly, and how far rounding goes.
 
-The edges u_k - u_0 of a simplex are the columns of Q·R. The rows of the inverse of R, and minus their sum, are the
-gradients of the barycentric coordinates in the basis Q; everything metric comes from R and from them. No Gram
-matrix is formed, which would square the condition number and lose flat simplices.
+The edges u_k - u_0 of a simplex are the columns of Q·R. The rows of the inverse of R, and minus their sum,
+are the gradients of the barycentric coordinates in the basis Q; everything metric comes from R and from them.
+No Gram matrix is formed, which would square the condition number and lose flat simplices.
 """
 
 from __future__ import annotations
@@ -39,9 +39,9 @@ class Values(np.ndarray[Any, np.dtype[np.float64]]):
 class Simplices:
     """n simplices of dimension d in R^m, all of whose numbers are arrays of n rows.
 
-    Every number is that of the given floats to a relative `error`: lengths, heights, radii and volumes (angles to
-    that many radians). A simplex so flat that the error may exceed 2^-10 is *degenerate*: as an exact `Simplex`
-    would be refused, its numbers are NaN, all of them.
+    Every number is that of the given floats to a relative `error`: lengths, heights, radii and volumes
+    (angles to that many radians). A simplex so flat that the error may exceed 2^-10 is *degenerate*: as an
+    exact `Simplex` would be refused, its numbers are NaN, all of them.
 
     Parameters
     ----------
@@ -51,7 +51,8 @@ class Simplices:
     Raises
     ------
     InvalidInput
-        If the shape is wrong, a number is not finite, or so large or small that powers leave the range of floats.
+        If the shape is wrong, a number is not finite, or so large or small that powers leave the range of
+        floats.
 
     Examples
     --------
@@ -71,8 +72,8 @@ class Simplices:
         reach = 2.0 ** (900 / max(self.dimension, 2))
         if len(far := np.flatnonzero(~((longest == 0) | ((1 / reach <= longest) & (longest <= reach))))):
             raise InvalidInput(
-                f"simplex {far[0]} has a longest edge of {longest[far[0]]:g}: scale all, since powers of lengths "
-                "below leave the range of floats"
+                f"simplex {far[0]} has a longest edge of {longest[far[0]]:g}, whose powers leave the range of "
+                "floats: scale all"
             )
 
     def __len__(self) -> int:
@@ -86,7 +87,7 @@ class Simplices:
         """The dimension d."""
         return int(self.corners.shape[1]) - 1
 
-    # -- the two matrices --------------------------------------------------------------------------------------
+    # -- the two matrices --------------------------------------------------------------------------------
 
     @cached_property
     def _factors(self) -> tuple[Floats, Floats, Floats]:
@@ -103,8 +104,8 @@ class Simplices:
     def error(self) -> Floats:
         """A bound for the relative error, 16·d·m·κ·2^-53, where κ = |R|·|R^-1| in the norm of Frobenius.
 
-        The edges are rounded once, Householder's QR is that of edges moved by about d·m units of rounding, and each
-        number changes by at most some κ times as much. Infinite where R is singular.
+        The edges are rounded once, Householder's QR is that of edges moved by about d·m units of rounding,
+        and each number changes by at most some κ times as much. Infinite where R is singular.
         """
         r, inverse, _ = self._factors
         size = np.linalg.norm(r, axis=(1, 2))
@@ -130,7 +131,7 @@ class Simplices:
         inverse = self._factors[1]
         return np.concatenate([-inverse.sum(axis=1, keepdims=True), inverse], axis=1)
 
-    # -- edges -------------------------------------------------------------------------------------------------
+    # -- edges -------------------------------------------------------------------------------------------
 
     @cached_property
     def _squared_edges(self) -> Floats:
@@ -164,7 +165,7 @@ class Simplices:
         """The sum of the squared lengths of all edges, shape (n,)."""
         return self._known(self._squared_edges.sum(axis=1))
 
-    # -- volume, heights, radii --------------------------------------------------------------------------------
+    # -- volume, heights, radii --------------------------------------------------------------------------
 
     @cached_property
     def volume(self) -> Values:
@@ -200,7 +201,7 @@ class Simplices:
         centre = np.einsum("nkj,nk->nj", inverse, (r * r).sum(axis=1)) / 2
         return self._known(np.sqrt(_squares(centre)) * size)
 
-    # -- angles ------------------------------------------------------------------------------------------------
+    # -- angles ------------------------------------------------------------------------------------------
 
     @cached_property
     def _normals(self) -> Floats:
@@ -236,15 +237,15 @@ class Simplices:
     def minimal_solid_angle(self) -> Values:
         """The smallest solid angle at a vertex, as a share of the whole sphere, shape (n,); for d = 2 and 3.
 
-        For d = 3 by tan(Ω/2) = |det(a, b, c)| / (|a||b||c| + (a·b)|c| + (b·c)|a| + (c·a)|b|) with the edges a, b, c
-        at the vertex (van Oosterom, Strackee 1983).
+        For d = 3 by tan(Ω/2) = |det(a, b, c)| / (|a||b||c| + (a·b)|c| + (b·c)|a| + (c·a)|b|) with the edges
+        a, b, c at the vertex (van Oosterom, Strackee 1983).
         """
         if self.dimension == 2:
             return self._known(self._dihedral_angles.min(axis=1) / (2 * math.pi))
         if self.dimension != 3:
             raise Unavailable(
-                f"the solid angles of {self.dimension}-simplices have no closed form in floats here: they are "
-                "known for triangles and tetrahedra"
+                f"solid angles of {self.dimension}-simplices have no closed form in floats here: only those of "
+                "triangles and tetrahedra have"
             )
         r, _, size = self._factors
         corners = np.concatenate([np.zeros_like(r[:, :, :1]), r], axis=2).swapaxes(1, 2)
