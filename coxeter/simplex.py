@@ -18,6 +18,7 @@ from functools import cached_property, lru_cache, partial
 
 import numpy as np
 
+from .angles import WithAngles
 from .errors import DegenerateSimplex, InvalidInput
 from .exact import Exact, RationalMatrix, Surd, sqrt
 from .exact.matrices import integer_product, narrow
@@ -40,7 +41,7 @@ def position(barycentric: Sequence[Fraction]) -> Position:
     return Position.OUTSIDE if least < 0 else Position.BOUNDARY
 
 
-class Simplex:
+class Simplex(WithAngles):
     """A d-simplex with exact vertices, in a space of any dimension at least d.
 
     Parameters
@@ -161,6 +162,17 @@ class Simplex:
         """L, the length of a longest edge (Definition 18)."""
         return sqrt(self.squared_longest_edge)
 
+    @property
+    def shortest_edge(self) -> Surd:
+        """The length of a shortest edge."""
+        return sqrt(self.squared_shortest_edge)
+
+    @cached_property
+    def sum_of_squared_edges(self) -> Fraction:
+        """The sum of the squared lengths of all edges."""
+        e = self.squared_edge_lengths
+        return Fraction(int(e.numerators.sum(dtype=object)), 2 * e.denominator)
+
     def longest_edges(self) -> tuple[tuple[int, int], ...]:
         """The pairs (i, j), i < j, of vertices that a longest edge joins."""
         e = self.squared_edge_lengths.numerators
@@ -171,7 +183,7 @@ class Simplex:
         """The d-dimensional volume, the root of the Gram determinant of the edges, over d!."""
         return sqrt(self.gram_determinant) / math.factorial(self.dimension)
 
-    # -- heights and angles -------------------------------------------------------------------------
+    # -- heights -------------------------------------------------------------------------------------
 
     @cached_property
     def gradient_gram(self) -> RationalMatrix:
@@ -198,16 +210,11 @@ class Simplex:
         """h, the least height (Definition 18)."""
         return sqrt(min(self.squared_heights))
 
-    def dihedral_cosine(self, i: int, j: int) -> Surd:
-        """The cosine of the dihedral angle between the facets opposite to vertices i and j.
-
-        >>> Simplex([(0, 0), (1, 0), (0, 1)]).dihedral_cosine(0, 1)
-        sqrt(2)/2
-        """
-        if i == j or not {i, j} <= set(range(self.dimension + 1)):
-            raise InvalidInput(f"{i} and {j} are not two facets: give two of 0 to {self.dimension}")
+    @cached_property
+    def sum_of_inverse_squared_heights(self) -> Fraction:
+        """The sum of one over the squared height from each vertex, the trace of Γ."""
         g = self.gradient_gram
-        return -g[i, j] / sqrt(g[i, i] * g[j, j])
+        return Fraction(int(g.numerators.diagonal().sum(dtype=object)), g.denominator)
 
     # -- centres and radii --------------------------------------------------------------------------
 

@@ -105,7 +105,7 @@ def added():
 
 @pytest.mark.usefixtures("added")
 def test_an_added_measure_is_reported_with_the_others():
-    @measure("edge_ratio", r"\eta")
+    @measure("edges", r"\eta")
     def edge_ratio(simplex):
         edges = simplex.squared_edge_lengths
         return sqrt(
@@ -113,11 +113,11 @@ def test_an_added_measure_is_reported_with_the_others():
             / simplex.squared_longest_edge
         )
 
-    assert list(MEASURES) == [*FOUR, "edge_ratio"]
-    assert qualities(Simplex([(0, 0), (3, 0), (0, 4)]))["edge_ratio"] == Fraction(3, 5)
-    assert normalized_qualities(regular_simplex(4))["edge_ratio"] == 1
+    assert list(MEASURES) == [*FOUR, "edges"]
+    assert qualities(Simplex([(0, 0), (3, 0), (0, 4)]))["edges"] == Fraction(3, 5)
+    assert normalized_qualities(regular_simplex(4))["edges"] == 1
     assert edge_ratio.normalized_symbol == r"\hat{\eta}"
-    assert find_measure("edge_ratio") is edge_ratio
+    assert find_measure("edges") is edge_ratio
 
 
 @pytest.mark.usefixtures("added")

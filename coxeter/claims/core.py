@@ -70,10 +70,11 @@ def exact_value(family: str, quantity: str, d: int) -> Surd:
         return sqrt(min(m.squared_distance for m in mirrors))
     simplex = simplex_of(family, d)
     if quantity.startswith("normalized_"):
-        return quality.find_measure(quantity.removeprefix("normalized_")).normalized(simplex)
+        value: Surd = quality.find_measure(quantity.removeprefix("normalized_")).normalized(simplex)
+        return value
     if quantity in quality.MEASURES:
         return quality.MEASURES[quantity](simplex)
-    value: Surd = getattr(simplex, quantity)
+    value = getattr(simplex, quantity)
     return value
 
 

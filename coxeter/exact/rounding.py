@@ -5,27 +5,28 @@ from __future__ import annotations
 import math
 from collections.abc import Callable
 from fractions import Fraction
-from typing import TYPE_CHECKING, TypeVar
+from typing import Any, Protocol, TypeVar
 
 import flint
 
 from ..errors import InvalidInput
-from . import sums
 from .sums import precisions
-
-if TYPE_CHECKING:
-    from .surd import Surd
 
 _T = TypeVar("_T", int, float)
 
 
-def enclosure(x: Surd) -> flint.arb:
-    """A ball that holds the number, as small as the precision that is set allows."""
-    ball = sums.ball(x.num) / sums.ball(x.den)
-    return ball if x.index == 1 else ball.root(x.index)
+class Real(Protocol):
+    """A number that balls enclose."""
+
+    @property
+    def is_rational(self) -> bool: ...
+    def as_fraction(self) -> Fraction: ...
+    def sign(self) -> int: ...
+    def ball(self) -> flint.arb: ...
+    def __abs__(self) -> Any: ...
 
 
-def rounded(x: Surd, rounding: Callable[[Fraction], _T]) -> _T:
+def rounded(x: Real, rounding: Callable[[Fraction], _T]) -> _T:
     """A monotone rounding of a number.
 
     >>> from .surd import sqrt
@@ -36,7 +37,7 @@ def rounded(x: Surd, rounding: Callable[[Fraction], _T]) -> _T:
         return rounding(x.as_fraction())
     for precision in precisions():  # an irrational number is no tie, so this ends
         with flint.ctx.workprec(precision):
-            ball = enclosure(x)
+            ball = x.ball()
             if not ball.is_finite():
                 continue  # the denominator is not yet told from zero
             low, high = (rounding(_fraction(end)) for end in (ball.lower(), ball.upper()))
@@ -51,12 +52,12 @@ def _fraction(ball: flint.arb) -> Fraction:
     return Fraction(mantissa) * Fraction(2) ** exponent
 
 
-def _scaled_integer(x: Surd, scale: Fraction) -> int:
+def _scaled_integer(x: Real, scale: Fraction) -> int:
     """``x * scale`` rounded to the nearest integer, ties (only rationals have them) to even."""
     return rounded(x, lambda q: round(q * scale))
 
 
-def decimal(x: Surd, digits: int) -> str:
+def decimal(x: Real, digits: int) -> str:
     """The decimal with that many digits after the point."""
     if digits < 0:
         raise InvalidInput(f"{digits} digits cannot be shown: give a number >= 0")
@@ -66,11 +67,11 @@ def decimal(x: Surd, digits: int) -> str:
     return ("-" if n < 0 else "") + whole + ("." + part if part else "")
 
 
-def scientific(x: Surd, digits: int) -> str:
+def scientific(x: Real, digits: int) -> str:
     """The value in scientific notation, with that many digits."""
     if digits < 1:
         raise InvalidInput(f"{digits} digits cannot be shown: give a number >= 1")
-    if not x:
+    if not x.sign():
         return "0"
     guess, size = _order(abs(x)), abs(x)
     for e in (guess - 1, guess, guess + 1):  # the exponent is the least that leaves enough digits
@@ -81,11 +82,11 @@ def scientific(x: Surd, digits: int) -> str:
     raise AssertionError("unreachable")
 
 
-def _order(x: Surd) -> int:
+def _order(x: Real) -> int:
     """The exponent of ten of a positive number, or one beside it."""
     for precision in precisions():
         with flint.ctx.workprec(precision):
-            logarithm = enclosure(x).log() / flint.arb(10).log()
+            logarithm = x.ball().log() / flint.arb(10).log()
             if logarithm.is_finite():
                 return math.floor(float(logarithm.mid()))
     raise AssertionError("unreachable")

@@ -19,7 +19,7 @@ import flint
 from ..errors import InvalidInput
 from . import sums
 from .rationals import rational
-from .rounding import decimal, enclosure, rounded, scientific
+from .rounding import decimal, rounded, scientific
 from .sums import ONE, Terms, collect, negative, plus, precisions, times
 from .writing import LATEX, PLAIN, write
 
@@ -124,6 +124,11 @@ class Surd:
         """-1, 0 or 1, decided exactly."""
         return sums.sign(self.num) * sums.sign(self.den)
 
+    def ball(self) -> flint.arb:
+        """A ball that holds the number, as small as the precision that is set allows."""
+        ball = sums.ball(self.num) / sums.ball(self.den)
+        return ball if self.index == 1 else ball.root(self.index)
+
     # -- arithmetic -----------------------------------------------------------------------------
 
     def _plain(self, operation: str) -> Surd:
@@ -222,7 +227,7 @@ class Surd:
             return False
         for precision in precisions():
             with flint.ctx.workprec(precision):
-                difference = enclosure(self) - enclosure(y)
+                difference = self.ball() - y.ball()
                 if difference < 0:
                     return True
                 if difference > 0:
@@ -291,8 +296,9 @@ def sqrt(value: object) -> Surd:
     >>> sqrt("8/9")
     2*sqrt(2)/3
     """
-    if isinstance(value, Surd) and not value.is_rational:
-        return value.root(2)
+    if hasattr(value, "root") and not getattr(value, "is_rational", False):  # so too of a formula
+        root: Surd = value.root(2)
+        return root
     q = rational(value)
     if q < 0:
         raise InvalidInput(f"{q} is negative: it has no real square root")

@@ -144,8 +144,9 @@ def bound(printed: Constants) -> Finding:
 
 
 def _bound_holds(factor: str, s: Simplex) -> bool:
-    right = evaluate(factor, d=s.dimension) * prod(map(quality.thickness, flag(s)))
-    return quality.fatness(s) == right if is_regular(s) else quality.fatness(s) <= right
+    right: Surd = evaluate(factor, d=s.dimension) * prod(map(quality.thickness, flag(s)))
+    left: Surd = quality.fatness(s)
+    return left == right if is_regular(s) else left <= right
 
 
 @claim("lem-11.thickness", LEMMA_11, Weight.PROOF, to_prove=("lem-10",))

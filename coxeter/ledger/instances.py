@@ -94,4 +94,5 @@ def is_regular(simplex: Simplex) -> bool:
 @lru_cache(maxsize=256)
 def regular_value(measure: str, d: int) -> Surd:
     """A measure of the regular simplex."""
-    return find_measure(measure)(regular_simplex(d))
+    value: Surd = find_measure(measure)(regular_simplex(d))
+    return value

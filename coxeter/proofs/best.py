@@ -138,7 +138,8 @@ def _is_beaten(letter: str, d: int, measure: str) -> int:
 
 
 def _value(measure: str, name: object) -> Surd:
-    return find_measure(measure).normalized(triangulation(name).simplex)
+    value: Surd = find_measure(measure).normalized(triangulation(name).simplex)
+    return value
 
 
 def ranking(measure: str, d: int) -> list[str]:

@@ -141,7 +141,8 @@ def _at(letter: str, length: str, part: Piece) -> str:
 def _core(letter: str, name: str, d: int) -> Surd:
     measure = find_measure(name.removeprefix("normalized_"))
     simplex = regular_simplex(d) if letter == "regular" else the_simplex(letter, d)
-    return measure.normalized(simplex) if name.startswith("normalized_") else measure(simplex)
+    value: Surd = measure.normalized(simplex) if name.startswith("normalized_") else measure(simplex)
+    return value
 
 
 @lru_cache(maxsize=1)

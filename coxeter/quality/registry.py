@@ -1,0 +1,175 @@
+"""What a measure is, and those that are known by name."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from dataclasses import dataclass
+from fractions import Fraction
+from functools import lru_cache
+from typing import Any, Generic, TypeVar
+
+from ..errors import InvalidInput
+from ..exact import Angle, Surd, surd
+from ..simplex import Simplex, regular_simplex
+
+Number = Surd | Angle
+V = TypeVar("V")
+
+
+@dataclass(frozen=True)
+class Measure(Generic[V]):
+    """A quality measure.
+
+    Attributes
+    ----------
+    name
+        Such as ``"thickness"``.
+    symbol
+        LaTeX for the raw measure, as ``\\theta``.
+    of
+        The function from a simplex to an exact number, of whatever has the attributes that it asks for: a
+        `Simplex`; arrays of many simplices; a `coxeter.proofs.symbolic_simplex`, for a formula in d.
+    per_dimension
+        Whether the normalised value is taken to the power 1/d, as fatness is in Table 2.
+    larger_is_better
+        Whether a simplex is the better the larger the raw value; if not, normalising turns it round.
+    """
+
+    name: str
+    symbol: str
+    of: Callable[[Any], Any]
+    per_dimension: bool = False
+    larger_is_better: bool = True
+
+    def __call__(self, simplex: object) -> V:
+        """The raw measure of a simplex, or of the fundamental simplex of a triangulation."""
+        value: Any = self.of(shape := _simplex_of(simplex))
+        exact = isinstance(value, Angle) or not isinstance(shape, Simplex)
+        result: Any = value if exact else surd(value)
+        return result  # type: ignore[no-any-return]
+
+    def normalized(self, simplex: object) -> V:
+        """The measure divided by that of the regular simplex; to the power 1/d if `per_dimension`.
+
+        If smaller raw values are better, it is that of the regular simplex divided by the measure. So larger
+        normalised values are better for every measure, and the regular simplex has 1.
+
+        >>> from coxeter.quality import fatness
+        >>> fatness.normalized(regular_simplex(5))
+        1
+        """
+        shape = _simplex_of(simplex)
+        value: Any = self(shape)
+        regular: Any = _of_regular_simplex(self, shape)
+        ratio = value / regular if self.larger_is_better else regular / value
+        result: V = root(ratio, shape.dimension) if self.per_dimension else ratio
+        return result
+
+    @property
+    def normalized_symbol(self) -> str:
+        """LaTeX for the normalised measure."""
+        power = "^{1/d}" if self.per_dimension else ""
+        return rf"\hat{{{self.symbol}}}{power}"
+
+
+def root(x: Any, k: Any) -> Any:
+    """The k-th root of an exact number, of a formula in d, or of an array of floats.
+
+    >>> root(Fraction(1, 4), 2)
+    1/2
+    """
+    if isinstance(x, (int, Fraction)):
+        return surd(x).root(k)
+    return x.root(k) if hasattr(x, "root") else x ** (1 / k)
+
+
+def _simplex_of(value: object) -> Any:
+    shape = getattr(value, "simplex", value)
+    if not isinstance(shape, Simplex) and not hasattr(shape, "regular"):
+        raise InvalidInput(f"{value!r} is neither a simplex nor a triangulation")
+    return shape
+
+
+def _of_regular_simplex(measure: Measure[V], shape: Any) -> V:
+    return _of_regular(measure, shape.dimension) if isinstance(shape, Simplex) else measure(shape.regular)
+
+
+@lru_cache(maxsize=512)
+def _of_regular(measure: Measure[V], d: int) -> V:
+    return measure(regular_simplex(d))
+
+
+MEASURES: dict[str, Measure[Surd]] = {}
+"""The paper's measures and those that users add, by name, in the order in which they were added.
+
+These are shown where all measures are."""
+
+MESH_MEASURES: dict[str, Measure[Any]] = {}
+"""The measures that mesh people use, by name: shown where one is asked for."""
+
+
+def measure(
+    name: str,
+    symbol: str = "",
+    per_dimension: bool = False,
+    larger_is_better: bool = True,
+    among: dict[str, Measure[Any]] = MEASURES,
+) -> Callable[[Callable[[Any], Any]], Measure[Any]]:
+    """Decorator: add a quality measure.
+
+    Parameters
+    ----------
+    name
+        A new name.
+    symbol
+        LaTeX for it; the name is used if none is given.
+    per_dimension
+        Whether normalised values are taken to the power 1/d; for measures that, as a volume does,
+        scale with the d-th power of a length.
+    larger_is_better
+        Whether larger raw values are better.
+    among
+        The registry: `MEASURES` or `MESH_MEASURES`.
+
+    Raises
+    ------
+    InvalidInput
+        If the name is taken.
+
+    Examples
+    --------
+    >>> @measure("second over first")
+    ... def second_over_first(simplex):
+    ...     short, longer, *_ = sorted(simplex.squared_heights)
+    ...     return sqrt(short / longer)
+    >>> from coxeter.exact import sqrt
+    >>> second_over_first(Simplex([(0, 0), (3, 0), (0, 4)]))
+    4/5
+    >>> del MEASURES["second over first"]
+    """
+    if name in MEASURES or name in MESH_MEASURES:
+        raise InvalidInput(f"there is already a measure {name!r}: give another name")
+
+    def add(function: Callable[[Any], Any]) -> Measure[Any]:
+        among[name] = Measure(name, symbol or rf"\text{{{name}}}", function, per_dimension, larger_is_better)
+        return among[name]
+
+    return add
+
+
+def find_measure(name: str) -> Measure[Any]:
+    """The measure with a given name; raises `InvalidInput`, naming those there are."""
+    known: dict[str, Measure[Any]] = {**MEASURES, **MESH_MEASURES}
+    if name not in known:
+        raise InvalidInput(f"{name!r} is no quality measure; there are {', '.join(known)}")
+    return known[name]
+
+
+def qualities(simplex: Simplex) -> dict[str, Surd]:
+    """The measures in `MEASURES` of a simplex, raw."""
+    return {name: known(simplex) for name, known in MEASURES.items()}
+
+
+def normalized_qualities(simplex: Simplex) -> dict[str, Surd]:
+    """The measures in `MEASURES` of a simplex, normalised by the regular simplex."""
+    return {name: known.normalized(simplex) for name, known in MEASURES.items()}
