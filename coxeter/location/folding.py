@@ -87,6 +87,8 @@ class Folded:
 
         They are integers, coordinates times the unit, whatever the points that were folded are.
         """
+        if self.points.dtype == object:
+            points = points.astype(object)
         for step in reversed(self.steps):
             points = step.undo(points, unit)
         return points

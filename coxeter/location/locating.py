@@ -41,10 +41,10 @@ class Locator:
     centre: Ints
     key_unit: int
 
-    def rounded(self, z: Floats, lengths: Floats | None = None, compiled: bool = True) -> Found:
+    def rounded(self, z: Floats, lengths: Floats | None = None) -> Found:
         """For floats (n, m); or (n, d), in Helmert's coordinates of A~d, if his lengths are given."""
         factor = len(self.centre) * max(self.subgroup.triangulation.marks) * 2.0**-48
-        made = fold_compiled(self, z, lengths) if compiled else None
+        made = fold_compiled(self, z, lengths)
         if made:
             keys, shares, sizes = made
             check_size(sizes)
