@@ -189,26 +189,34 @@ def write_mesh(mesh: Mesh, path: str | os.PathLike[str]) -> None:
         If the suffix is unknown, the format cannot hold the mesh, or the file cannot be written.
     """
     path = Path(os.path.realpath(path))
+    check_path(path, mesh.dimension, mesh.points.shape[1])
     suffix = _suffix(path)
     if suffix == NPZ:
         with _replacing(path) as new:
             _write_npz(mesh, new)
         return
-    if suffix not in FORMATS:
-        raise InvalidInput(f"{path.name} has no known suffix: there are {', '.join([*FORMATS, NPZ])}")
     form = FORMATS[suffix]
-    if mesh.dimension not in form.cells or not mesh.dimension <= mesh.points.shape[1] <= 3:
-        fit = [x for x, y in FORMATS.items() if mesh.dimension in y.cells and mesh.points.shape[1] <= 3]
-        raise InvalidInput(
-            f"{suffix} holds no cells of dimension {mesh.dimension} in R^{mesh.points.shape[1]}: "
-            f"write {', '.join([*fit, NPZ])}"
-        )
     _tell_what_is_lost(mesh, form, suffix)
     kept = {kind: getattr(mesh, kind) if kind in form.data else {} for kind in ALL}
     full = to_meshio(Mesh(mesh.points, mesh.cells, **kept), pad=not form.flat)
     meshio: Any = library("meshio")
     with _replacing(path) as new, redirect_stdout(io.StringIO()) as said, redirect_stderr(said):
         meshio.write(new, full, file_format=form.name, **dict(form.options))
+
+
+def check_path(path: str | os.PathLike[str], d: int, m: int | None = None) -> None:
+    """Raise `InvalidInput` if no mesh of d-simplices in R^m can be written there."""
+    path, m = Path(path), m or d
+    suffix = _suffix(path)
+    if suffix != NPZ and suffix not in FORMATS:
+        raise InvalidInput(f"{path.name!r} has no known suffix: there are {', '.join([*FORMATS, NPZ])}")
+    fit = [x for x, form in FORMATS.items() if d in form.cells and d <= m <= 3] + [NPZ]
+    if suffix not in fit:
+        raise InvalidInput(f"{suffix} holds no {d}-simplices in R^{m}: write {', '.join(fit)}")
+    if not path.resolve().parent.is_dir():
+        raise InvalidInput(f"there is no folder {path.parent} to write {path.name} to")
+    if suffix != NPZ:
+        library("meshio")
 
 
 def _tell_what_is_lost(mesh: Mesh, form: Format, suffix: str) -> None:

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterable
+from collections.abc import Callable, Iterable, Iterator
 from dataclasses import dataclass
 from typing import Any
 
@@ -10,12 +10,14 @@ import numpy as np
 from numpy.typing import NDArray
 
 from ..errors import CoxeterError, InvalidInput
-from ..quality import MEASURES, Measure, find_measure
+from ..quality import MEASURES, MESH_MEASURES, Measure, find_measure
 from ..simplex import regular_simplex
 from .mesh import Mesh
 from .simplices import Simplices
 
 Floats = NDArray[np.float64]
+CHUNK = 1 << 14
+"""So many cells at a time, unless another number is given."""
 Cells = Mesh | Simplices | Any
 """A mesh; simplices; or their corners, an array (n, d + 1, m), which may be of Dask."""
 
@@ -26,22 +28,21 @@ class Judge:
 
     name: str
     of: Callable[[Any], Any]
-    regular: float
-    power: float
+    larger_is_better: bool
+    regular: float = 1.0
+    power: float = 1.0
 
     def __call__(self, simplices: Simplices) -> Floats:
         """The values, shape (n,): NaN for a degenerate simplex."""
         with np.errstate(all="ignore"):  # what is no number is NaN, and counted
             values = (np.asarray(self.of(simplices), dtype=np.float64) / self.regular) ** self.power
-        if values.shape != (len(simplices),):
-            raise InvalidInput(
-                f"{self.name!r} of {len(simplices)} simplices has shape {values.shape}: expected a number each"
-            )
+        if values.shape != (n := len(simplices),):
+            raise InvalidInput(f"{self.name!r} of {n} simplices has shape {values.shape}: expected ({n},)")
         return np.where(simplices.degenerate, np.nan, values)
 
 
 def judges(
-    measures: Iterable[str | Measure] | None, d: int, normalised: bool = True
+    measures: Iterable[str | Measure[Any]] | None, d: int, normalised: bool = True
 ) -> tuple[list[Judge], dict[str, str]]:
     """The measures made ready for many d-simplices, and why others are left out.
 
@@ -49,7 +50,7 @@ def judges(
     is refused. Each is tried on the regular simplex first, on which the exact value is known.
     """
     ready, left_out = [], {}
-    for given in MEASURES if measures is None else measures:
+    for given in [*MEASURES, *MESH_MEASURES] if measures is None else measures:
         measure = find_measure(given) if isinstance(given, str) else given
         try:
             ready.append(_judge(measure, d, normalised))
@@ -60,9 +61,9 @@ def judges(
     return ready, left_out
 
 
-def _judge(measure: Measure, d: int, normalised: bool) -> Judge:
+def _judge(measure: Measure[Any], d: int, normalised: bool) -> Judge:
     exact = float(measure(regular_simplex(d)))
-    raw = Judge(measure.name, measure.of, 1.0, 1.0)
+    raw = Judge(measure.name, measure.of, measure.larger_is_better)
     try:
         found = raw(Simplices(np.eye(d + 1)[None]))[0]
     except (AttributeError, TypeError, ValueError, IndexError, NotImplementedError) as error:
@@ -77,13 +78,16 @@ def _judge(measure: Measure, d: int, normalised: bool) -> Judge:
             f"the measure {measure.name!r} is {exact:g} of the regular {d}-simplex, but {found:g} of an "
             "array that holds it: write it as a formula, without branches"
         )
-    return (
-        Judge(measure.name, measure.of, exact, 1 / d if measure.per_dimension else 1.0) if normalised else raw
-    )
+    if not normalised:
+        return raw
+    if not exact:
+        raise InvalidInput(f"the measure {measure.name!r} is 0 of the regular {d}-simplex: no norm")
+    power = (1 / d if measure.per_dimension else 1.0) * (1 if measure.larger_is_better else -1)
+    return Judge(measure.name, measure.of, True, exact, power)
 
 
 def mesh_qualities(
-    mesh: Cells, measures: Iterable[str | Measure] | None = None, normalised: bool = True
+    mesh: Cells, measures: Iterable[str | Measure[Any]] | None = None, normalised: bool = True
 ) -> dict[str, Any]:
     """The measures of all cells, by name: arrays (n,), with NaN for degenerate cells.
 
@@ -94,7 +98,7 @@ def mesh_qualities(
     measures
         Names, or measures; all that can be had by default.
     normalised
-        Whether to divide by the regular simplex, to the power 1/d where the measure says so.
+        Whether to divide by the regular simplex, as `Measure.normalized` does: then larger is better.
 
     Raises
     ------
@@ -117,9 +121,17 @@ def mesh_qualities(
             chunks=(rows.chunks[0], (len(ready),)), meta=np.empty((0, 0)),
         )  # fmt: skip
         return {judge.name: columns[:, i] for i, judge in enumerate(ready)}
-    simplices = as_simplices(mesh)
-    ready, _ = judges(measures, simplices.dimension, normalised)
-    return {judge.name: judge(simplices) for judge in ready}
+    whole = mesh if isinstance(mesh, Mesh) else as_simplices(mesh)
+    ready, _ = judges(measures, whole.dimension, normalised)
+    parts = [[judge(part) for judge in ready] for part in in_chunks(whole, CHUNK)]
+    return {judge.name: np.concatenate(values) for judge, *values in zip(ready, *parts, strict=True)}
+
+
+def in_chunks(mesh: Mesh | Simplices, chunk: int) -> Iterator[Simplices]:
+    """Some cells at a time; of none, none once."""
+    for i in range(0, max(len(mesh), 1), chunk):
+        rows = slice(i, i + chunk)
+        yield Simplices(mesh.points[mesh.cells[rows]] if isinstance(mesh, Mesh) else mesh.corners[rows])
 
 
 def _columns(corners: Floats, ready: list[Judge]) -> Floats:

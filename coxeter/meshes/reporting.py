@@ -6,7 +6,7 @@ that keeps quantiles and histograms to a relative 2^-14, in memory that does not
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Iterator
+from collections.abc import Callable, Iterable, Iterator
 from dataclasses import asdict, dataclass, field
 from functools import reduce
 from typing import Any
@@ -16,12 +16,10 @@ from numpy.typing import NDArray
 
 from ..errors import InvalidInput
 from ..quality import Measure
-from .judging import Cells, Floats, Judge, as_simplices, is_lazy, judges, whole_rows
+from .judging import CHUNK, Cells, Floats, Judge, as_simplices, in_chunks, is_lazy, judges, whole_rows
 from .mesh import Mesh
 from .simplices import Simplices
 
-CHUNK = 1 << 14
-"""So many cells at a time, unless another number is given."""
 DIGITS = 14
 """Binary digits that are kept of a value to be counted."""
 QUANTILES = (0.01, 0.05, 0.25, 0.5, 0.75, 0.95, 0.99)
@@ -38,7 +36,8 @@ class Spread:
     total: float
     least: float
     greatest: float
-    worst: int
+    lowest: int
+    highest: int
     undefined: int
 
     @classmethod
@@ -47,25 +46,25 @@ class Spread:
         cells = np.flatnonzero(np.isfinite(values))
         known = values[cells]
         if not len(known):
-            return cls(np.empty(0), np.empty(0, np.int64), 0.0, np.inf, -np.inf, -1, len(values))
+            return cls(np.empty(0), np.empty(0, np.int64), 0.0, np.inf, -np.inf, -1, -1, len(values))
         mantissas, exponents = np.frexp(known)
         rounded = np.ldexp(np.rint(mantissas * 2.0**DIGITS), exponents - DIGITS)
         different, counts = np.unique(rounded, return_counts=True)
         least, greatest = float(known.min()), float(known.max())
-        worst = int(cells[known.argmin()])
-        return cls(
-            different, counts, float(known.sum()), least, greatest, worst, len(values) - len(known)
-        )  # fmt: skip
+        lowest, highest = int(cells[known.argmin()]), int(cells[known.argmax()])
+        undefined = len(values) - len(known)
+        return cls(different, counts, float(known.sum()), least, greatest, lowest, highest, undefined)
 
     def add(self, other: Spread, offset: int) -> Spread:
         """That of these cells and of others, which are numbered from `offset`."""
         values, where = np.unique(np.concatenate([self.values, other.values]), return_inverse=True)
         counts = np.zeros(len(values), dtype=np.int64)
         np.add.at(counts, where, np.concatenate([self.counts, other.counts]))
-        worst = other.worst + offset if other.least < self.least else self.worst
+        lowest = other.lowest + offset if other.least < self.least else self.lowest
+        highest = other.highest + offset if other.greatest > self.greatest else self.highest
         return Spread(
             values, counts, self.total + other.total, min(self.least, other.least),
-            max(self.greatest, other.greatest), worst, self.undefined + other.undefined,
+            max(self.greatest, other.greatest), lowest, highest, self.undefined + other.undefined,
         )  # fmt: skip
 
     def quantile(self, share: float) -> float:
@@ -109,7 +108,8 @@ class MeasureReport:
     undefined
         How many of these cells the measure gives no number.
     worst
-        The number of the cell with the least value; None if there is none.
+        The number of the cell with the least value, or the greatest where smaller is better; None if there
+        is none.
     quantiles, median
         To a relative 2^-14; by shares, as ``"0.05"``.
     edges, counts
@@ -161,10 +161,11 @@ class QualityReport:
 
 def quality_report(
     mesh: Cells,
-    measures: Iterable[str | Measure] | None = None,
+    measures: Iterable[str | Measure[Any]] | None = None,
     normalised: bool = True,
     bins: int = 10,
     chunk: int = CHUNK,
+    progress: Callable[[int], None] | None = None,
 ) -> QualityReport:
     """How the measures are distributed over the cells of a mesh.
 
@@ -179,12 +180,14 @@ def quality_report(
     measures
         Names, or measures; all that can be had by default.
     normalised
-        Whether to divide by the regular simplex, to the power 1/d where the measure says so.
+        Whether to divide by the regular simplex, as `Measure.normalized` does: then larger is better.
     bins
         Bars of the histograms. They reach from 0 to 1 if all values lie there, else from the least to the
         greatest.
     chunk
         How many cells are looked at together.
+    progress
+        Is told how many cells are done, after each chunk.
 
     Raises
     ------
@@ -210,21 +213,26 @@ def quality_report(
         whole = mesh if isinstance(mesh, Mesh) else as_simplices(mesh)
         d = whole.dimension
         ready, left_out = judges(measures, d, normalised)
-        parts = _in_chunks(whole, ready, chunk)
+        parts = _in_chunks(whole, ready, chunk, progress)
     tally = reduce(Tally.__add__, parts)
     reports = [
-        _measure_report(name, x, tally.degenerate, bins, normalised) for name, x in tally.spreads.items()
+        _measure_report(judge, tally.spreads[judge.name], tally.degenerate, bins, normalised)
+        for judge in ready
     ]
     return QualityReport(
         tally.cells, d, tally.degenerate, tally.named, tally.error, reports, left_out
     )  # fmt: skip
 
 
-def _in_chunks(mesh: Mesh | Simplices, ready: list[Judge], chunk: int) -> Iterator[Tally]:
-    for i in range(0, max(len(mesh), 1), chunk):
-        rows = slice(i, i + chunk)
-        corners = mesh.points[mesh.cells[rows]] if isinstance(mesh, Mesh) else mesh.corners[rows]
-        yield Tally.of(Simplices(corners), ready)
+def _in_chunks(
+    mesh: Mesh | Simplices, ready: list[Judge], chunk: int, progress: Callable[[int], None] | None
+) -> Iterator[Tally]:
+    done = 0
+    for part in in_chunks(mesh, chunk):
+        yield Tally.of(part, ready)
+        done += len(part)
+        if progress:
+            progress(done)
 
 
 def _on_workers(corners: Any, ready: list[Judge]) -> Iterable[Tally]:
@@ -241,15 +249,16 @@ def _tally(corners: Floats, ready: list[Judge]) -> Tally:
     return Tally.of(Simplices(corners), ready)
 
 
-def _measure_report(name: str, x: Spread, degenerate: int, bins: int, normalised: bool) -> MeasureReport:
+def _measure_report(judge: Judge, x: Spread, degenerate: int, bins: int, normalised: bool) -> MeasureReport:
     undefined = x.undefined - degenerate
     if not len(x.values):
-        return MeasureReport(name, undefined)
+        return MeasureReport(judge.name, undefined)
     unit = normalised and x.values[0] >= 0 and x.values[-1] <= 1
     counts, edges = np.histogram(x.values, bins, (0, 1) if unit else None, weights=x.counts)
     quantiles = {str(share): x.quantile(share) for share in QUANTILES}
     mean = x.total / int(x.counts.sum())
+    worst = x.lowest if judge.larger_is_better else x.highest
     return MeasureReport(
-        name, undefined, x.least, mean, x.quantile(0.5), x.greatest, x.worst,
+        judge.name, undefined, x.least, mean, x.quantile(0.5), x.greatest, worst,
         quantiles, edges.tolist(), counts.astype(int).tolist(),
     )  # fmt: skip

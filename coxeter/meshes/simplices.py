@@ -72,8 +72,8 @@ class Simplices:
         reach = 2.0 ** (900 / max(self.dimension, 2))
         if len(far := np.flatnonzero(~((longest == 0) | ((1 / reach <= longest) & (longest <= reach))))):
             raise InvalidInput(
-                f"simplex {far[0]} has a longest edge of {longest[far[0]]:g}, whose powers leave the range of "
-                "floats: scale all"
+                f"simplex {far[0]} has a longest edge of {longest[far[0]]:g}, whose powers leave the range "
+                "of floats: scale all"
             )
 
     def __len__(self) -> int:
@@ -244,7 +244,7 @@ class Simplices:
             return self._known(self._dihedral_angles.min(axis=1) / (2 * math.pi))
         if self.dimension != 3:
             raise Unavailable(
-                f"solid angles of {self.dimension}-simplices have no closed form in floats here: only those of "
+                f"solid angles of {self.dimension}-simplices have no closed form in floats here: those of "
                 "triangles and tetrahedra have"
             )
         r, _, size = self._factors
