@@ -31,6 +31,10 @@ class Format(NamedTuple):
         The dimensions of the cells.
     data
         Which data are kept.
+    vectors
+        Whether data may have several numbers for a point or a cell.
+    narrow
+        Whether integers have 32 bits: VTK's reader crashes on a PLY with longer ones.
     flat
         Whether points of the plane stay so; else they get a third coordinate 0.
     options
@@ -40,6 +44,8 @@ class Format(NamedTuple):
     name: str
     cells: tuple[int, ...] = (2, 3)
     data: tuple[str, ...] = ()
+    vectors: bool = True
+    narrow: bool = False
     flat: bool = False
     options: tuple[tuple[str, Any], ...] = ()
 
@@ -53,14 +59,14 @@ FORMATS = {
     ".med": Format("med", data=ALL, flat=True),
     ".msh": Format("gmsh", data=ALL),
     ".off": Format("off", cells=(2,)),
-    ".ply": Format("ply", cells=(2,), data=("point_data",)),
+    ".ply": Format("ply", cells=(2,), data=("point_data",), vectors=False, narrow=True),
     ".stl": Format("stl", cells=(2,)),
     ".obj": Format("obj", cells=(2,)),
     ".mesh": Format("medit", flat=True),
     ".meshb": Format("medit", flat=True),
     ".inp": Format("abaqus", flat=True),
-    ".avs": Format("avsucd", data=ALL),
-    ".tec": Format("tecplot", data=ALL, flat=True),
+    ".avs": Format("avsucd"),
+    ".tec": Format("tecplot", data=ALL, vectors=False, flat=True),
     ".vol": Format("netgen", flat=True),
     ".su2": Format("su2", cells=(3,)),
     ".cgns": Format("cgns", cells=(3,)),
@@ -196,8 +202,9 @@ def write_mesh(mesh: Mesh, path: str | os.PathLike[str]) -> None:
             _write_npz(mesh, new)
         return
     form = FORMATS[suffix]
-    _tell_what_is_lost(mesh, form, suffix)
-    kept = {kind: getattr(mesh, kind) if kind in form.data else {} for kind in ALL}
+    kept = {kind: _kept(getattr(mesh, kind), form, kind) for kind in ALL}
+    if lost := [name for kind in ALL for name in getattr(mesh, kind) if name not in kept[kind]]:
+        warnings.warn(f"{suffix} does not keep {', '.join(lost)}; .vtu would", stacklevel=2)
     full = to_meshio(Mesh(mesh.points, mesh.cells, **kept), pad=not form.flat)
     meshio: Any = library("meshio")
     with _replacing(path) as new, redirect_stdout(io.StringIO()) as said, redirect_stderr(said):
@@ -219,10 +226,21 @@ def check_path(path: str | os.PathLike[str], d: int, m: int | None = None) -> No
         library("meshio")
 
 
-def _tell_what_is_lost(mesh: Mesh, form: Format, suffix: str) -> None:
-    lost = [name for kind in ALL if kind not in form.data for name in getattr(mesh, kind)]
-    if lost:
-        warnings.warn(f"{suffix} does not keep {', '.join(lost)}; .vtu would", stacklevel=3)
+def _kept(data: dict[str, NDArray[Any]], form: Format, kind: str) -> dict[str, NDArray[Any]]:
+    """Those data that a format keeps."""
+    return {
+        name: _fitted(x, form)
+        for name, x in data.items()
+        if kind in form.data and x.dtype.kind in "biuf" and (form.vectors or x.ndim == 1)
+    }
+
+
+def _fitted(x: NDArray[Any], form: Format) -> NDArray[Any]:
+    if x.dtype.kind == "b":
+        return x.astype(np.uint8)
+    if form.narrow and x.dtype.kind in "iu":
+        return x.astype(np.int32 if np.array_equal(x.astype(np.int32), x) else np.float64)
+    return x
 
 
 def _write_npz(mesh: Mesh, path: Path) -> None:

@@ -62,15 +62,15 @@ def judges(
 
 
 def _judge(measure: Measure[Any], d: int, normalised: bool) -> Judge:
-    exact = float(measure(regular_simplex(d)))
     raw = Judge(measure.name, measure.of, measure.larger_is_better)
     try:
+        exact = float(measure(regular_simplex(d)))
         found = raw(Simplices(np.eye(d + 1)[None]))[0]
-    except (AttributeError, TypeError, ValueError, IndexError, NotImplementedError) as error:
-        if isinstance(error, CoxeterError):
-            raise
+    except CoxeterError:
+        raise
+    except (ArithmeticError, AttributeError, TypeError, ValueError, IndexError) as error:
         raise InvalidInput(
-            f"the measure {measure.name!r} cannot be had of many simplices at once ({error}): "
+            f"the measure {measure.name!r} cannot be had of many {d}-simplices at once ({error}): "
             "write it with what `Simplices` knows, such as minimal_height"
         ) from error
     if not abs(found - exact) <= 1e-9 * abs(exact):
@@ -81,7 +81,7 @@ def _judge(measure: Measure[Any], d: int, normalised: bool) -> Judge:
     if not normalised:
         return raw
     if not exact:
-        raise InvalidInput(f"the measure {measure.name!r} is 0 of the regular {d}-simplex: no norm")
+        raise InvalidInput(f"the measure {measure.name!r} is 0 of the regular {d}-simplex: it has no norm")
     power = (1 / d if measure.per_dimension else 1.0) * (1 if measure.larger_is_better else -1)
     return Judge(measure.name, measure.of, True, exact, power)
 

@@ -57,9 +57,10 @@ class Spread:
 
     def add(self, other: Spread, offset: int) -> Spread:
         """That of these cells and of others, which are numbered from `offset`."""
-        values, where = np.unique(np.concatenate([self.values, other.values]), return_inverse=True)
+        values = np.union1d(self.values, other.values)
         counts = np.zeros(len(values), dtype=np.int64)
-        np.add.at(counts, where, np.concatenate([self.counts, other.counts]))
+        for part in (self, other):
+            counts[np.searchsorted(values, part.values)] += part.counts
         lowest = other.lowest + offset if other.least < self.least else self.lowest
         highest = other.highest + offset if other.greatest > self.greatest else self.highest
         return Spread(
