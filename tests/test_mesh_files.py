@@ -112,12 +112,23 @@ def test_vtk_reads_it(tmp_path, suffix):
     found = pyvista.read(path)
     assert found.n_cells == len(mesh)
     areas = found.compute_cell_sizes().cell_data["Area"]
-    assert np.allclose(
-        areas, Simplices(mesh.corners).volume, rtol=1e-3
-    )  # VTK keeps points of a PLY in half floats
+    tolerance = 1e-12 if suffix in (".vtu", ".vtk") else 1e-3  # else VTK keeps points in single precision
+    assert np.allclose(areas, Simplices(mesh.corners).volume, rtol=tolerance)
     if suffix == ".vtu":
         assert np.array_equal(found.point_data["label"], mesh.point_data["label"])
         assert np.array_equal(found.cell_data["quality"], mesh.cell_data["quality"])
+
+
+@pytest.mark.parametrize("suffix", [".vtu", ".vtk", ".xdmf", ".med", ".msh", ".ply", ".tec"])
+@pytest.mark.parametrize("values", [[True, False, True], [1, 2, 2**40], ["a", "b", "c"], [0.5, 1, 2]])
+def test_data_of_any_type_are_kept_or_named(tmp_path, suffix, values):
+    mesh = Mesh([(0, 0, 0), (1, 0, 0), (0, 1, 0)], [[0, 1, 2]], {"mine": values})
+    with warnings.catch_warnings(record=True) as notes:
+        warnings.simplefilter("always")
+        write_mesh(mesh, tmp_path / f"mesh{suffix}")
+    found = read_mesh(tmp_path / f"mesh{suffix}").point_data
+    assert np.array_equal(found["mine"], values) if "mine" in found else "mine" in str(notes[0].message)
+    assert ("mine" in found) == (values[0] != "a")
 
 
 def test_gudhi_reads_off(tmp_path):

@@ -236,11 +236,9 @@ def _kept(data: dict[str, NDArray[Any]], form: Format, kind: str) -> dict[str, N
 
 
 def _fitted(x: NDArray[Any], form: Format) -> NDArray[Any]:
-    if x.dtype.kind == "b":
-        return x.astype(np.uint8)
-    if form.narrow and x.dtype.kind in "iu":
-        return x.astype(np.int32 if np.array_equal(x.astype(np.int32), x) else np.float64)
-    return x
+    """The same as integers of a type that every writer knows, or else as floats."""
+    whole = x.astype(np.int32 if form.narrow else np.int64) if x.dtype.kind in "biu" else None
+    return whole if whole is not None and np.array_equal(whole, x) else x.astype(np.float64)
 
 
 def _write_npz(mesh: Mesh, path: Path) -> None:
