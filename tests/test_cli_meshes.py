@@ -72,7 +72,7 @@ def test_mesh_says_what_a_format_does_not_keep(capsys, tmp_path):
     [
         (("A~3", "--box", "0,0,1,1"), "are 4 numbers: give 6"),
         (("A~3", "--box", "-1,0,0,1,x,1"), "are no numbers"),
-        (("A~3", "--box", "1,0,0,0,1,1"), "corner"),
+        (("A~3", "--box", "1,0,0,0,1,1"), "swap them"),
         (("A~3", "--box", "0,0,0,nan,1,1"), "finite"),
         (("A~3", "--ball", "0,0,1"), "are 3 numbers: give 4"),
         (("A~3", "--ball", "0,0,0,-1"), "radius"),
