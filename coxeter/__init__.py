@@ -9,6 +9,8 @@ The distribution is called ``coxeter-triangulations``; the package ``coxeter`` o
 another project.
 """
 
+from typing import TYPE_CHECKING, Any
+
 from .affine import CoxeterTriangulation, affine_reflection, triangulation
 from .delaunay import (
     circumcentre_position,
@@ -24,16 +26,19 @@ from .errors import (
     InexactInput,
     InvalidInput,
     InvalidType,
+    Unavailable,
     Undecided,
 )
-from .exact import RationalMatrix, Surd, rational, sqrt, surd
+from .exact import Angle, RationalMatrix, Surd, rational, sqrt, surd
 from .lattices import spanned_lattice, vertex_cosets, vertex_lattice
 from .names import FAMILIES, Type, triangulations_up_to
 from .quality import (
     MEASURES,
+    MESH_MEASURES,
     Measure,
     aspect_ratio,
     fatness,
+    find_measure,
     measure,
     normalized_qualities,
     qualities,
@@ -44,11 +49,16 @@ from .root_lattices import Lattice, coroot_lattice, coweight_lattice, root_latti
 from .roots import RootSystem, root_system
 from .simplex import Position, Simplex, regular_simplex
 
+if TYPE_CHECKING:
+    from .proofs.symbolic_simplex import symbolic_simplex
+
 __version__ = "0.1.0"
 
 __all__ = [
     "FAMILIES",
     "MEASURES",
+    "MESH_MEASURES",
+    "Angle",
     "CoxeterError",
     "CoxeterTriangulation",
     "DegenerateSimplex",
@@ -63,6 +73,7 @@ __all__ = [
     "Simplex",
     "Surd",
     "Type",
+    "Unavailable",
     "Undecided",
     "affine_reflection",
     "aspect_ratio",
@@ -71,6 +82,7 @@ __all__ = [
     "coweight_lattice",
     "delaunay_verdict",
     "fatness",
+    "find_measure",
     "is_self_centred",
     "measure",
     "mirror_vertices",
@@ -85,6 +97,7 @@ __all__ = [
     "spanned_lattice",
     "sqrt",
     "surd",
+    "symbolic_simplex",
     "thickness",
     "triangulation",
     "triangulations_up_to",
@@ -93,3 +106,12 @@ __all__ = [
     "vertices_by_distance",
     "weight_lattice",
 ]
+
+
+def __getattr__(name: str) -> Any:
+    """`symbolic_simplex`, when it is asked for: it needs SymPy, which takes long to load."""
+    if name == "symbolic_simplex":
+        from .proofs.symbolic_simplex import symbolic_simplex
+
+        return symbolic_simplex
+    raise AttributeError(f"module {__name__!r} has no attribute {name!r}")

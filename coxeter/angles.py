@@ -149,7 +149,7 @@ class WithAngles:
         return found
 
     def _special(self) -> list[int]:
-        """Vertices among which one has the largest stabiliser, the whole finite group: the ends of the diagram.
+        """Vertices among which one has the largest stabiliser, the finite group: ends of the diagram.
 
         That of A~ is a cycle, without ends; there all vertices are alike (Humphreys, Section 2.5).
         """

@@ -14,7 +14,7 @@ from typing import NoReturn
 
 from .. import __version__
 from ..errors import CoxeterError
-from . import ledger, meshes, triangulations
+from . import comparing, ledger, meshes, triangulations
 
 
 class _Parser(argparse.ArgumentParser):
@@ -27,6 +27,7 @@ def _parser() -> argparse.ArgumentParser:
     parser.add_argument("--version", action="version", version=f"coxeter-triangulations {__version__}")
     commands = parser.add_subparsers(dest="command", required=True, metavar="COMMAND")
     triangulations.add_commands(commands)
+    comparing.add_commands(commands)
     meshes.add_commands(commands)
     ledger.add_commands(commands)
     return parser

@@ -12,7 +12,6 @@ import numbers
 from collections.abc import Iterable, Iterator, Mapping
 from fractions import Fraction
 from functools import lru_cache, total_ordering
-from typing import Union
 
 import flint
 
@@ -20,12 +19,12 @@ from ..errors import InvalidInput, Undecided
 from .rounding import decimal, rounded, scientific
 from .surd import Surd, sqrt
 
-Atom = Union[Surd, int, None]
+Atom = Surd | int | None
 """A cosine stands for its angle over π, d for the solid angle of the regular d-simplex, None for 1."""
 Sum = Mapping[Atom, Fraction]
 
 RATIONAL = {0: Fraction(1, 2), 1: Fraction(1, 3), 2: Fraction(1, 4), 3: Fraction(1, 6), 4: Fraction(0)}
-"""4·cos² -> the angle over π, cos >= 0: with a rational cos² there are no others that are rational (Niven)."""
+"""4·cos² -> the angle over π, cos >= 0: with a rational cos² no other angle is rational (Niven)."""
 LARGEST_PRECISION = 2**12
 _ONE: Sum = {None: Fraction(1)}
 
@@ -379,7 +378,9 @@ def _write(a: Sum, acos: str, share: str, times: str, number: str) -> str:
         if x is None:
             text = size
         else:
-            name = acos.format(x.latex() if number == "latex" else x) if isinstance(x, Surd) else share.format(x)
+            name = (
+                acos.format(x.latex() if number == "latex" else x) if isinstance(x, Surd) else share.format(x)
+            )
             text = _scaled(name, abs(q), size, times, number)
         parts.append((" - " if q < 0 else " + ") + text)
     joined = "".join(parts) or " + 0"

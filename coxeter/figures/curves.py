@@ -4,13 +4,13 @@ from __future__ import annotations
 
 import math
 from collections.abc import Callable, Sequence
-from typing import NamedTuple
+from typing import Any, NamedTuple
 
 from ..affine import CoxeterTriangulation
 from ..errors import InvalidInput
-from ..exact import Surd
 from ..names import MINIMAL_DIMENSION, triangulations_up_to
-from ..quality import Measure, find_measure
+from ..peers import Peer
+from ..quality import Measure, Number, find_measure
 from .canvas import BLUE, FAINT, FINE, GREEN, INK, PURPLE, SMALL, VERMILLION, Canvas, Pen, Point, between
 from .figure import Figure
 from .legends import Key, legend
@@ -27,21 +27,29 @@ _PENS = {
 """Where curves coincide, as those of thickness do, one is seen through the gaps of the other."""
 
 
+_PEER_PENS = tuple(
+    Pen(INK, 1.6, dash) for dash in ((8.0, 4.0), (2.0, 4.0), (12.0, 4.0, 2.0, 4.0), (4.0, 8.0))
+)
+
+
 class Curve(NamedTuple):
     """The normalised quality of a family in each of its dimensions; a single triangulation is a point."""
 
     family: str
-    values: tuple[tuple[int, Surd], ...]
+    values: tuple[tuple[int, Number], ...]
 
 
 class Curves(NamedTuple):
-    """What is drawn: the measure in words, and the curves of the families."""
+    """What is drawn: the measure in words, the curves of the families, and those of other triangulations."""
 
     measure: str
     curves: tuple[Curve, ...]
+    peers: tuple[Curve, ...] = ()
 
 
-def quality_curves(measure: str | Measure, max_dim: int = 10) -> Figure[Curves]:
+def quality_curves(
+    measure: str | Measure[Any], max_dim: int = 10, peers: Sequence[Peer] = ()
+) -> Figure[Curves]:
     """The normalised quality of all Coxeter triangulations against the dimension.
 
     Parameters
@@ -50,6 +58,9 @@ def quality_curves(measure: str | Measure, max_dim: int = 10) -> Figure[Curves]:
         A measure, or its name, as ``"thickness"``.
     max_dim
         The largest dimension, at least 2.
+    peers
+        Other triangulations, of which the worst simplex counts; they are left out where there is none, or the
+        measure has no method for it.
 
     Raises
     ------
@@ -64,35 +75,49 @@ def quality_curves(measure: str | Measure, max_dim: int = 10) -> Figure[Curves]:
     known = measure if isinstance(measure, Measure) else find_measure(measure)
     if isinstance(max_dim, bool) or not isinstance(max_dim, int) or max_dim < 2:
         raise InvalidInput(f"{max_dim!r} is no dimension to go up to: give an integer >= 2")
-    values: dict[str, list[tuple[int, Surd]]] = {}
+    values: dict[str, list[tuple[int, Number]]] = {}
     for kind in triangulations_up_to(max_dim):
         value = known.normalized(CoxeterTriangulation(kind).simplex)
         values.setdefault(kind.family, []).append((kind.rank, value))
     words = known.name.replace("_", " ") + (" to the power 1/d" if known.per_dimension else "")
-    data = Curves(words, tuple(Curve(family, tuple(values[family])) for family in sorted(values)))
-    title = f"Normalised {data.measure} of Coxeter triangulations"
+    others = (Curve(peer.name, tuple(_values_of(peer, known, max_dim))) for peer in peers)
+    curves = tuple(Curve(family, tuple(values[family])) for family in sorted(values))
+    data = Curves(words, curves, tuple(curve for curve in others if curve.values))
+    title = f"Normalised {data.measure} of Coxeter triangulations{' and others' if peers else ''}"
     return Figure(title, _words(title, data), data, lambda: _draw(data))
+
+
+def _values_of(peer: Peer, measure: Measure[Any], max_dim: int) -> list[tuple[int, Number]]:
+    found = [(d, peer.worst_if_known(measure, d)) for d in range(2, max_dim + 1)]
+    return [(d, x) for d, x in found if x is not None]
 
 
 def _words(title: str, data: Curves) -> str:
     text = f"{title}, against the dimension; 1 is the regular simplex. "
-    text += "; ".join(_values(family, values) for family, values in data.curves) + "."
+    text += "; ".join(_values(family, values) for family, values in (*data.curves, *data.peers)) + "."
     for families, dimensions in _equal(data).items():
         names = ", ".join(f"{family}~" for family in families)
         text += f" Equal, {_range(dimensions[0], dimensions[-1])}: {names}."
     return text
 
 
-def _values(family: str, values: Sequence[tuple[int, Surd]]) -> str:
+def _values(family: str, values: Sequence[tuple[int, Number]]) -> str:
     """All values of a family in words, or, if they are many, three of them."""
     first, last = values[0][0], values[-1][0]
-    if family not in MINIMAL_DIMENSION:
-        return f"{family[0]}~{family[1]}: {values[0][1].decimal(3)} in dimension {first}"
+    if family not in MINIMAL_DIMENSION and len(values) == 1:
+        return f"{_name(family)}: {values[0][1].decimal(3)} in dimension {first}"
     if len(values) <= 12:
-        return f"{family}~: {', '.join(x.decimal(3) for _, x in values)} in {_range(first, last)}"
+        return f"{_name(family)}: {', '.join(x.decimal(3) for _, x in values)} in {_range(first, last)}"
     some = (values[0], values[len(values) // 2], values[-1])
     numbers = ", ".join(f"{x.decimal(3)} in dimension {d}" for d, x in some)
-    return f"{family}~, {_range(first, last)}: {numbers}"
+    return f"{_name(family)}, {_range(first, last)}: {numbers}"
+
+
+def _name(family: str) -> str:
+    """``A~``, ``E~6``; other triangulations keep their names."""
+    if len(family) > 2 or family[0] not in "ABCDEFG" or family == "D1":
+        return family
+    return f"{family[0]}~{family[1:]}"
 
 
 def _range(first: int, last: int) -> str:
@@ -101,7 +126,7 @@ def _range(first: int, last: int) -> str:
 
 def _equal(data: Curves) -> dict[tuple[str, ...], list[int]]:
     """The infinite families whose values are equal, and the dimensions, without a gap, in which they are."""
-    at: dict[int, dict[Surd, tuple[str, ...]]] = {}
+    at: dict[int, dict[Number, tuple[str, ...]]] = {}
     for family, values in data.curves:
         for d, x in values if family in MINIMAL_DIMENSION else ():
             here = at.setdefault(d, {})
@@ -116,8 +141,9 @@ def _equal(data: Curves) -> dict[tuple[str, ...], list[int]]:
 
 def _draw(data: Curves) -> Canvas:
     canvas = Canvas()
-    dimensions = [d for curve in data.curves for d, _ in curve.values]
-    top = max(1.0, *(float(x) for curve in data.curves for _, x in curve.values))
+    everything = [value for curve in (*data.curves, *data.peers) for value in curve.values]
+    dimensions = [d for d, _ in everything]
+    top = max(1.0, *(float(x) for _, x in everything))
     last = max(*dimensions, 3)
 
     def place(d: float, value: float) -> Point:
@@ -130,6 +156,8 @@ def _draw(data: Curves) -> Canvas:
         points = [place(d, float(x)) for d, x in values]
         if family in _PENS:
             keys.append(_draw_curve(canvas, family, points))
+    for i, (name, values) in enumerate(data.peers):
+        keys.append(_draw_peer(canvas, name, i, [place(d, float(x)) for d, x in values]))
     single = [(family, values[0]) for family, values in data.curves if family not in _PENS]
     _draw_points(canvas, [(family, place(d, float(x))) for family, (d, x) in single])
     legend(canvas, keys, _WIDTH)
@@ -171,6 +199,22 @@ def _draw_curve(canvas: Canvas, family: str, points: Sequence[Point]) -> Key:
 
     _mark(canvas, family, marked)
     return Key(f"$\\tilde{{{family}}}_{{d}}$", sample, 36)
+
+
+def _draw_peer(canvas: Canvas, name: str, number: int, points: Sequence[Point]) -> Key:
+    """A thin line in ink, dashed in its own way, and rings; a ring alone where there is but one dimension."""
+    pen, ring = _PEER_PENS[number % len(_PEER_PENS)], Pen(INK, 1.6)
+    radius = 3.0 + 1.6 * (number // len(_PEER_PENS))
+    canvas.lines([points] if len(points) > 1 else [], pen)
+    for point in points[:: math.ceil(len(points) / 16)]:
+        canvas.disc(point, radius, None, ring)
+
+    def sample(canvas: Canvas, at: Point) -> None:
+        if len(points) > 1:
+            canvas.lines([(at, (at[0] + 36, at[1]))], pen)
+        canvas.disc((at[0] + 18, at[1]), radius, None, ring)
+
+    return Key(name, sample, 36)
 
 
 _MARKERS: dict[str, tuple[Point, ...]] = {

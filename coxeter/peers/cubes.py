@@ -73,8 +73,9 @@ def dang(d: int) -> Iterator[Cell]:
 
 
 def dang_classes(d: int) -> list[Cell]:
-    """D1 has d shapes."""
-    return [_descent(d, None), *(_descent(d, tuple(range(steps))) for steps in range(d - 1))]
+    """D1 has d shapes, but for d = 2 and 3 one less: there the longest descent ends in a corner too."""
+    longest = d - 2 if d > 3 else d - 3
+    return [_descent(d, None), *(_descent(d, tuple(range(steps))) for steps in range(longest + 1))]
 
 
 def _descent(d: int, order: tuple[int, ...] | None) -> Cell:
@@ -92,7 +93,7 @@ def _descent(d: int, order: tuple[int, ...] | None) -> Cell:
 
 
 def corners(d: int) -> Iterator[Cell]:
-    """Every other corner of the unit cube is cut off; for d = 4 the rest, a 16-cell, is cut along a diagonal."""
+    """Every other corner of the unit cube cut off; for d = 4 the rest, a 16-cell, cut along a diagonal."""
     for corner in product((0, 1), repeat=d):
         if sum(corner) % 2:
             x = tuple(map(Fraction, corner))
@@ -114,4 +115,6 @@ def corners_classes(d: int) -> list[Cell]:
 
 def pairs(cell: Cell) -> list[Fraction]:
     """The squared edges of a cell, in order of size: cells with different lists are not congruent."""
-    return sorted(sum(((a - b) ** 2 for a, b in zip(x, y, strict=True)), Fraction(0)) for x, y in combinations(cell, 2))
+    return sorted(
+        sum(((a - b) ** 2 for a, b in zip(x, y, strict=True)), Fraction(0)) for x, y in combinations(cell, 2)
+    )

@@ -1,4 +1,4 @@
-"""Simplices that fill space by congruent copies: Sommerville's tetrahedra, the families of Hill and Goldberg."""
+"""Simplices whose copies fill space: Sommerville's tetrahedra, the families of Hill and Goldberg."""
 
 from __future__ import annotations
 
@@ -47,7 +47,8 @@ def hill(d: int, stretch: Fraction) -> Iterator[list[tuple[Exact, ...]]]:
 
     The d steps b_i of a path have equal lengths, and equal inner products with each other. So each
     permutation of the steps is an isometry, and the d! paths from corner to corner of the parallelepiped of
-    the b_i are congruent. They are the linear image of the cube, so they tile that, and its translates tile space.
+    the b_i are congruent. As a linear map carries K1 to
+    them, they tile it; and its translates tile space.
     """
     for order in permutations(range(d)):
         yield hill_path(d, stretch, order)

@@ -8,7 +8,7 @@ from fractions import Fraction
 from functools import lru_cache, partial
 from typing import Any
 
-from ..errors import InvalidInput, Unavailable
+from ..errors import CoxeterError, InvalidInput, Unavailable
 from ..exact import rational
 from ..quality import Measure
 from ..simplex import Simplex
@@ -106,7 +106,7 @@ _ALL = (
          "M. J. Todd, The Computation of Fixed Points (1976)", 2, None, cubes.union_jack, cubes.path),
     Peer("barycentric", "the barycentric subdivision of the cube; the shape of C~d",
          "classical", 2, None, cubes.barycentric, partial(cubes.path, length=fillers.HALF)),
-    Peer("D1", "Dang's subdivision of the cube into fewer simplices, of d shapes",
+    Peer("D1", "Dang's subdivision of the cube into fewer simplices, of d shapes; for d = 3 it is five",
          "C. Dang, Math. Oper. Res. 16 (1991)", 2, None, cubes.dang, cubes.dang_classes),
     Peer("five", "the cube cut into five: four corners and a regular tetrahedron",
          "classical", 3, 3, cubes.corners, cubes.corners_classes),
@@ -131,8 +131,8 @@ def find_peer(name: str) -> Peer:
     ----------
     name
         One of `PEERS`; or a member of a family with one parameter q > 0: ``"hill:q"`` in every dimension,
-        ``"goldberg-1:q"`` to ``"goldberg-3:q"`` for d = 3. A path of d steps in a cube that is stretched along
-        its diagonal, q being the square of the factor: q = 1 is K1, q = 1/(d+1) is A~d.
+        ``"goldberg-1:q"`` to ``"goldberg-3:q"`` for d = 3. A path of d steps in a cube that is stretched
+        along its diagonal, q being the square of the factor: q = 1 is K1, q = 1/(d+1) is A~d.
 
     Raises
     ------
@@ -151,7 +151,10 @@ def find_peer(name: str) -> Peer:
     if family not in _FAMILIES or not colon:
         there = ", ".join([*PEERS, *(f"{x}:q" for x in _FAMILIES)])
         raise InvalidInput(f"{name!r} is no triangulation to compare with; there are {there}, q as 1/3")
-    q = rational(text)
+    try:
+        q = rational(text)
+    except CoxeterError as error:
+        raise InvalidInput(f"{name!r}: {error}: give it as {family}:1/3") from None
     if q <= 0:
         raise InvalidInput(f"{name!r} stretches by the root of {q}: give a positive number, as {family}:1/3")
     return _member(family, q)

@@ -9,8 +9,8 @@ as WᵀW = (I + J)/2, and the inverse of AᵀA bordered to row sums 0 has the in
 diagonal. So both are functions of lengths, whatever the order of the vertices.
 
 Sources: P. M. Knupp, *Algebraic mesh quality metrics*, SIAM J. Sci. Comput. 23 (2001); A. Liu and B. Joe,
-*Relationship between tetrahedron shape measures*, BIT 34 (1994); J. R. Shewchuk, *What is a good linear finite
-element?* (2002).
+*Relationship between tetrahedron shape measures*, BIT 34 (1994); J. R. Shewchuk, *What is a good
+linear finite element?* (2002).
 """
 
 from __future__ import annotations
@@ -98,10 +98,10 @@ def maximal_dihedral_angle(simplex: Any) -> Any:
 
 @measure("minimal_solid_angle", r"\sigma_{\min}", among=MESH_MEASURES)
 def minimal_solid_angle(simplex: Any) -> Any:
-    """The smallest solid angle at a vertex, as a share of the whole sphere. Larger is better (Liu and Joe 1994).
+    """The smallest solid angle at a vertex, as a share of the whole sphere. Larger is better.
 
-    For d = 2 it is the smallest angle over a full turn. In which cases it is known from d = 4 on is said at
-    `Simplex.solid_angle`.
+    Source: Liu and Joe 1994, for d = 3. For d = 2 it is the smallest angle over a full turn. In which cases
+    it is known from d = 4 on is said at `Simplex.solid_angle`.
 
     >>> from coxeter import triangulation
     >>> minimal_solid_angle(triangulation("B~3"))

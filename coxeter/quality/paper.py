@@ -3,13 +3,15 @@
 from __future__ import annotations
 
 from ..exact import Surd
-from ..simplex import Simplex, regular_simplex
+from ..simplex import Simplex
 from .registry import measure
+
 
 @measure("aspect_ratio", r"\alpha")
 def aspect_ratio(simplex: Simplex) -> Surd:
     """α = h / 2R: minimal height over the diameter of the circumscribed ball (Definition 18).
 
+    >>> from coxeter import regular_simplex
     >>> aspect_ratio(regular_simplex(2))
     3/4
     """
@@ -20,6 +22,7 @@ def aspect_ratio(simplex: Simplex) -> Surd:
 def fatness(simplex: Simplex) -> Surd:
     """Θ = vol / L^d: volume over the longest edge to the power d (Definition 18).
 
+    >>> from coxeter import regular_simplex
     >>> fatness(regular_simplex(2))
     sqrt(3)/4
     """
@@ -30,6 +33,7 @@ def fatness(simplex: Simplex) -> Surd:
 def thickness(simplex: Simplex) -> Surd:
     """θ = h / L: minimal height over the longest edge (Definition 18).
 
+    >>> from coxeter import regular_simplex
     >>> thickness(regular_simplex(2))
     sqrt(3)/2
     """
@@ -40,6 +44,7 @@ def thickness(simplex: Simplex) -> Surd:
 def radius_ratio(simplex: Simplex) -> Surd:
     """ρ = r / R: inradius over circumradius (Definition 18).
 
+    >>> from coxeter import regular_simplex
     >>> radius_ratio(regular_simplex(2))
     1/2
     """

@@ -160,6 +160,18 @@ def total_of(vectors: Sequence[RunVector], case: Case, summand: Callable[[Values
     return result
 
 
+def sum_over(x: Rational, letter: str, low: Rational | str, high: Rational | str) -> Rational:
+    """The sum of a rational function over a letter from `low` to `high`; with low = high + 1 it is 0.
+
+    >>> sum_over(rational_function("k/2"), "k", "2", "d")
+    (d**2 + d - 2)/4
+    """
+    moves = [(SYMBOLS[letter].numer, NUMBER.numer)]
+    moved = FIELD(x.numer.compose(moves)) / FIELD(x.denom.compose(moves))
+    start, end = (rational_function(end) if isinstance(end, str) else end for end in (low, high))
+    return _sum(moved, start - 1, end)
+
+
 def _sum(x: Rational, start: Rational, end: Rational) -> Rational:
     """The sum of x over i = start + 1 … end: a polynomial in i, summed power by power."""
     powers: dict[int, Rational] = {}

@@ -6,23 +6,17 @@ decimals rounded once.
 
 from __future__ import annotations
 
-from collections.abc import Callable
+from collections.abc import Callable, Sequence
 from functools import cache
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Any
 
 from ..affine import CoxeterTriangulation
 from ..delaunay import delaunay_verdict, protection
 from ..errors import InvalidInput
-from ..exact import Surd
 from ..lattices import vertex_lattice
 from ..names import Type, triangulations_up_to
-from ..quality import (
-    Measure,
-    aspect_ratio,
-    fatness,
-    radius_ratio,
-    thickness,
-)
+from ..peers import Peer
+from ..quality import Measure, Number, aspect_ratio, fatness, radius_ratio, thickness
 from ..simplex import regular_simplex
 from .table import FORMATS, Cell, Table
 
@@ -76,18 +70,62 @@ def table(number: object, max_dim: int = 8) -> Table:
     return _MAKERS[str(number)](max_dim)
 
 
-def measure_table(measure: Measure, max_dim: int, title: str = "") -> Table:
-    """A normalised measure of all triangulations: a row for each letter, a column for each dimension."""
-    values: dict[str, dict[int, Surd]] = {}
+def measure_table(
+    measure: Measure[Any], max_dim: int, title: str = "", peers: Sequence[Peer] = (), best: bool = False
+) -> Table:
+    """A normalised measure of all triangulations: a row for each letter, a column for each dimension.
+
+    Parameters
+    ----------
+    measure
+        The measure.
+    max_dim
+        The largest dimension shown.
+    title
+        A title other than that of the measure.
+    peers
+        Other triangulations, a row each: the value of the worst of their simplices. A cell is empty where
+        there is no such triangulation, and where the measure has no method for one of its simplices.
+    best
+        Whether the largest value of each dimension is marked, decided exactly; several if they are equal.
+
+    Examples
+    --------
+    >>> from coxeter.peers import find_peer
+    >>> print(measure_table(thickness, 4, peers=[find_peer("D1")], best=True).render("csv"))
+    family,2,3,4
+    A~,1.000,0.866,0.816
+    B~,,0.433,0.447
+    C~,0.577,0.500,0.447
+    D~,,,0.447
+    F~,,,0.298
+    G~,0.500,,
+    D1,0.577,0.500,0.422
+    best,A~,A~,A~
+    """
+    values: dict[str, dict[int, Number]] = {}
     for kind in triangulations_up_to(max_dim):
-        row = values.setdefault(kind.letter, {})
+        row = values.setdefault(f"{kind.letter}~", {})
         row[kind.rank] = measure.normalized(CoxeterTriangulation(kind).simplex)
     columns = range(2, max_dim + 1)
+    names = sorted(values)
+    for peer in peers:
+        found = {d: peer.worst_if_known(measure, d) for d in columns}
+        values[peer.name] = {d: value for d, value in found.items() if value is not None}
+        names.append(peer.name)
+    marked = ((i, d - 1) for d in columns for i in _largest([values[name].get(d) for name in names]))
     return Table(
         title or f"Normalised {measure.name.replace('_', ' ')}",
         ("family", *map(str, columns)),
-        tuple((f"{letter}~", *(values[letter].get(d) for d in columns)) for letter in sorted(values)),
+        tuple((name, *(values[name].get(d) for d in columns)) for name in names),
+        frozenset(marked if best else ()),
     )
+
+
+def _largest(values: Sequence[Any]) -> list[int]:
+    """The places of the largest value; None stands for no value."""
+    largest = max(x for x in values if x is not None)
+    return [i for i, x in enumerate(values) if x is not None and x == largest]
 
 
 def _vertices(max_dim: int) -> Table:

@@ -11,9 +11,9 @@ from collections.abc import Callable
 from dataclasses import dataclass
 
 from ..errors import InvalidInput
-from ..exact import Surd
+from ..exact import Angle, Surd
 
-Cell = Surd | str | None
+Cell = Surd | Angle | str | None
 
 FORMATS = ("text", "md", "latex", "csv", "json")
 
@@ -30,11 +30,15 @@ class Table:
         The column headings; the first is that of the row names.
     rows
         Rows of cells: a row name, then exact numbers, text, or None where there is nothing.
+    marked
+        The places (row, column) of cells that are marked as the best of their columns: with a star, in JSON
+        with a key ``best``, in CSV by a last row that names them.
     """
 
     title: str
     header: tuple[str, ...]
     rows: tuple[tuple[Cell, ...], ...]
+    marked: frozenset[tuple[int, int]] = frozenset()
 
     def render(self, format: str = "text", digits: int = 3, exact: bool = False) -> str:
         """The table in one of the formats ``text``, ``md``, ``latex``, ``csv`` and ``json``.
@@ -62,17 +66,34 @@ class Table:
             return self._json(digits)
         write = _writer(digits, exact, latex=format == "latex")
         body = [[write(cell) for cell in row] for row in self.rows]
+        if format == "csv":
+            body += self._best()
+        else:
+            body = [
+                [f"{x}*" if self._is_marked(i, j) else x for j, x in enumerate(r)] for i, r in enumerate(body)
+            ]
         return _RENDERERS[format](self, body)
+
+    def _is_marked(self, i: int, j: int) -> bool:
+        return (i, j) in self.marked
+
+    def _best(self) -> list[list[str]]:
+        """A row with the names of the rows that are marked, column by column."""
+        names = [str(row[0]) for row in self.rows]
+        columns = range(1, len(self.header) if self.marked else 0)
+        best = [" = ".join(x for i, x in enumerate(names) if (i, j) in self.marked) for j in columns]
+        return [["best", *best]] if best else []
 
     def _json(self, digits: int) -> str:
         rows = [
             {
                 name: {"exact": str(cell), "decimal": cell.decimal(digits)}
-                if isinstance(cell, Surd)
+                | ({"best": True} if self._is_marked(i, j) else {})
+                if isinstance(cell, (Surd, Angle))
                 else cell
-                for name, cell in zip(self.header, row, strict=True)
+                for j, (name, cell) in enumerate(zip(self.header, row, strict=True))
             }
-            for row in self.rows
+            for i, row in enumerate(self.rows)
         ]
         return json.dumps({"title": self.title, "rows": rows}, indent=1, ensure_ascii=False)
 
@@ -80,12 +101,14 @@ class Table:
         return self.render("text")
 
     def _repr_html_(self) -> str:
-        def cell(value: Cell) -> str:
-            exact = f' title="{html.escape(str(value))}"' if isinstance(value, Surd) else ""
-            return f"<td{exact}>{_html(_writer(3, False, latex=False)(value))}</td>"
+        def cell(value: Cell, marked: bool) -> str:
+            star = "*" if marked else ""
+            exact = f' title="{html.escape(str(value))}"' if isinstance(value, (Surd, Angle)) else ""
+            return f"<td{exact}>{_html(_writer(3, False, latex=False)(value))}{star}</td>"
 
         head = "".join(f"<th>{html.escape(name)}</th>" for name in self.header)
-        body = "".join("<tr>" + "".join(map(cell, row)) + "</tr>" for row in self.rows)
+        cells = [[cell(x, self._is_marked(i, j)) for j, x in enumerate(r)] for i, r in enumerate(self.rows)]
+        body = "".join(f"<tr>{''.join(row)}</tr>" for row in cells)
         return (
             f'<div class="table-box"><table><caption>{html.escape(self.title)}</caption>'
             f"<thead><tr>{head}</tr></thead><tbody>{body}</tbody></table></div>"
@@ -104,7 +127,7 @@ def _html(text: str) -> str:
 
 def _writer(digits: int, exact: bool, latex: bool) -> Callable[[Cell], str]:
     def write(cell: Cell) -> str:
-        if not isinstance(cell, Surd):
+        if not isinstance(cell, (Surd, Angle)):
             return cell or ""
         if not exact:
             decimal = cell.decimal(digits)

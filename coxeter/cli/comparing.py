@@ -1,0 +1,59 @@
+"""The command ``compare``: all families beside other triangulations, by one measure."""
+
+from __future__ import annotations
+
+import argparse
+from typing import TYPE_CHECKING
+
+from ..errors import InvalidInput
+from ..peers import DEFAULT, PEERS, Peer, find_peer
+from ..quality import MEASURES, MESH_MEASURES, find_measure
+from ..tables import FORMATS, measure_table
+from .common import Answer, integer
+
+if TYPE_CHECKING:
+    from .common import Commands
+
+
+def add_commands(commands: Commands) -> None:
+    """Add the command to a parser."""
+    sub = commands.add_parser("compare", help="all families and other triangulations, by one measure")
+    measures = ", ".join([*MEASURES, *MESH_MEASURES])
+    sub.add_argument("--measure", default="thickness", help=f"one of {measures} (default thickness)")
+    sub.add_argument("--max-dim", type=integer, default=8, help="largest dimension (default 8)")
+    sub.add_argument(
+        "--with",
+        dest="peers",
+        default="all",
+        help=f"the others, with commas: some of {', '.join(PEERS)}, hill:1/3, goldberg-2:1/4; "
+        "or all, or none (default all)",
+    )
+    sub.add_argument("--digits", type=integer, default=3, help="digits after the point (default 3)")
+    sub.add_argument("--format", default="text", help=f"one of {', '.join(FORMATS)} (default text)")
+    sub.add_argument("--exact", action="store_true", help="exact values instead of decimals")
+    sub.set_defaults(run=_compare)
+
+
+def _compare(options: argparse.Namespace) -> Answer:
+    measure = find_measure(options.measure)
+    if options.max_dim < 2:
+        raise InvalidInput(f"{options.max_dim} is no dimension to compare up to: give an integer >= 2")
+    peers = [peer for peer in _peers(options.peers) if peer.low <= options.max_dim]
+    table = measure_table(measure, options.max_dim, peers=peers, best=True)
+    text = table.render(options.format, options.digits, options.exact)
+    return Answer(f"{text}\n\n{_notes(peers)}" if options.format == "text" else text)
+
+
+def _peers(text: str) -> list[Peer]:
+    if text in ("all", "none"):
+        return list(DEFAULT) if text == "all" else []
+    return [find_peer(name.strip()) for name in dict.fromkeys(text.split(","))]
+
+
+def _notes(peers: list[Peer]) -> str:
+    notes = [f"{peer.name}: {peer.title}. {peer.source}" for peer in peers]
+    words = (
+        "1 is the regular simplex; larger is better. *: the largest of the values shown, compared exactly."
+    )
+    others = ["Of the others, the worst simplex counts; -: there is none, or no method for it.", *notes]
+    return "\n".join([words, *(others if peers else ())])
