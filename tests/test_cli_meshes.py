@@ -2,7 +2,10 @@
 
 import io
 import json
+import signal
+import subprocess
 import sys
+import time
 
 import numpy as np
 import pytest
@@ -119,6 +122,20 @@ def test_an_interrupted_mesh_leaves_the_old_file(capsys, tmp_path, monkeypatch):
     monkeypatch.setattr("meshio.write", interrupted)
     status, _, err = run(capsys, "mesh", "A~2", "--ball", "0,0,1", "-o", path)
     assert (status, err) == (130, "coxeter: stopped\n")
+    assert [x.read_text() for x in tmp_path.iterdir()] == ["the old file"]
+
+
+@pytest.mark.parametrize("sign", [signal.SIGINT, signal.SIGTERM])
+def test_a_command_that_is_stopped_leaves_nothing_but_the_old_file(tmp_path, sign):
+    path = tmp_path / "out.vtu"
+    path.write_text("the old file")
+    arguments = ["mesh", "A~3", "--box", "0,0,0,1,1,1", "--scale", "0.05", "-o", str(path)]
+    running = subprocess.Popen([sys.executable, "-m", "coxeter.cli", *arguments], stderr=subprocess.PIPE)
+    while running.poll() is None and len(list(tmp_path.iterdir())) < 2:
+        time.sleep(0.002)
+    running.send_signal(sign)
+    assert running.communicate()[1] == b"coxeter: stopped\n"
+    assert running.returncode == 130
     assert [x.read_text() for x in tmp_path.iterdir()] == ["the old file"]
 
 

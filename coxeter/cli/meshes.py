@@ -4,8 +4,10 @@ from __future__ import annotations
 
 import argparse
 import json
+import signal
 import warnings
 from collections.abc import Callable, Iterator
+from contextlib import contextmanager
 from typing import TYPE_CHECKING, Any
 
 from ..errors import InvalidInput
@@ -86,7 +88,7 @@ def _mesh(options: argparse.Namespace) -> Answer:
     offset = options.offset and _numbers("--offset", options.offset, d, f"{d} coordinates")
     grid = Grid(options.type, scale=options.scale, offset=offset or None)
     check_path(options.output, d)
-    with progress() as show, warnings.catch_warnings(record=True) as notes:
+    with _stopped_by_sigterm(), progress() as show, warnings.catch_warnings(record=True) as notes:
         warnings.simplefilter("always")
         if show:
             show(0, "looking for the simplices")
@@ -101,6 +103,16 @@ def _mesh(options: argparse.Namespace) -> Answer:
     wrote = f"{options.output}: {len(mesh)} simplices, {len(mesh.points)} points"
     least = f"quality, with 1 for the regular simplex: {', '.join(rows)}"
     return Answer("\n".join([wrote, least, *(str(note.message) for note in notes)]))
+
+
+@contextmanager
+def _stopped_by_sigterm() -> Iterator[None]:
+    """A terminated command tidies up, as an interrupted one does."""
+    before = signal.signal(signal.SIGTERM, signal.default_int_handler)
+    try:
+        yield
+    finally:
+        signal.signal(signal.SIGTERM, before)
 
 
 def _patch(grid: Grid, options: argparse.Namespace) -> Mesh:

@@ -118,12 +118,17 @@ def read_mesh(path: str | os.PathLike[str]) -> Mesh:
         try:
             found = meshio.read(path)
         except (Exception, SystemExit) as error:  # meshio exits where a file is none of its formats
-            reason = f"{type(error).__name__}: {error}" if isinstance(error, Exception) else said.getvalue()
-            raise InvalidInput(f"{path} cannot be read as {suffix}: {' '.join(reason.split())}") from error
+            reason = _reason(error) if isinstance(error, Exception) else " ".join(said.getvalue().split())
+            raise InvalidInput(f"{path} cannot be read as {suffix}: {reason}") from error
     try:
         return from_meshio(found)
     except InvalidInput as error:
         raise InvalidInput(f"{path}: {error}") from error
+
+
+def _reason(error: Exception) -> str:
+    """What another library's error says, on one line."""
+    return " ".join(f"{type(error).__name__}: {error}".split())
 
 
 def _suffix(path: Path) -> str:
@@ -266,4 +271,4 @@ def _replacing(path: Path) -> Iterator[Path]:
     except InvalidInput:
         raise
     except Exception as error:
-        raise InvalidInput(f"{path} cannot be written: {type(error).__name__}: {error}") from error
+        raise InvalidInput(f"{path} cannot be written: {_reason(error)}") from error
