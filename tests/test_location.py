@@ -279,6 +279,14 @@ def test_many_chunks_of_keys_are_one_answer(monkeypatch):
     assert (grid.vertices(keys) == whole).all()
 
 
+def test_the_first_coordinates_fix_the_others(name):
+    """Where roots have more than d coordinates; patches tell vertices apart by the first d."""
+    simple = triangulation(name).roots.simple_roots
+    assert np.linalg.matrix_rank(simple.numerators[:, : triangulation(name).dimension].astype(float)) == len(
+        simple.numerators
+    )
+
+
 # -- by the inequalities of the roots ---------------------------------------------------------------------------
 
 
