@@ -120,7 +120,7 @@ def test_d1_has_d_shapes_and_fewer_simplices():
         assert cells <= math.factorial(d)
 
 
-# -- fillers of space ------------------------------------------------------------------------------------------
+# -- fillers of space ----------------------------------------------------------------------------------
 
 
 @pytest.mark.parametrize("number", range(1, 5))
@@ -144,7 +144,7 @@ def test_sommerville_tetrahedra_fill_the_bcc_tetrahedron(number):
 @pytest.mark.parametrize("q", ["1", "4", "1/4", "9/16", "25"])
 @pytest.mark.parametrize("d", [2, 3, 4])
 def test_hill_simplices_fill_a_parallelepiped(d, q):
-    """The d! copies are congruent, vertex by vertex, and share the volume √q."""
+    """The d! copies are congruent, vertex by vertex, and together have the volume √q."""
     peer = find_peer(f"hill:{q}")
     cells = [[tuple(map(Fraction, p)) for p in cell] for cell in peer.cells(d)]
     assert len(cells) == math.factorial(d)

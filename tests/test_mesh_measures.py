@@ -208,10 +208,10 @@ def test_solid_angles_that_no_method_finds():
 
 @pytest.mark.parametrize("d", [2, 3])
 def test_the_integral_for_the_regular_simplex_agrees_with_the_closed_form(d):
-    from coxeter.exact import angles
+    from coxeter.exact import angle_sums
 
     with flint.ctx.workprec(128):
-        ball = angles._regular_ball(d, 128)
+        ball = angle_sums.regular_ball(d, 128)
         assert ball.overlaps(regular_share(d).ball())
         assert ball.rad() < 1e-25
 

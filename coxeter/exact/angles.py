@@ -7,26 +7,19 @@ known by an integral, which ball arithmetic encloses (`regular_share`).
 
 from __future__ import annotations
 
-import math
 import numbers
-from collections.abc import Iterable, Iterator, Mapping
 from fractions import Fraction
-from functools import lru_cache, total_ordering
+from functools import total_ordering
 
 import flint
 
 from ..errors import InvalidInput, Undecided
+from .angle_sums import LARGEST_PRECISION, ONE, Sum, ball, multiple, plus, precisions, sign, simplified, times
 from .rounding import decimal, rounded, scientific
-from .surd import Surd, sqrt
-
-Atom = Surd | int | None
-"""A cosine stands for its angle over π, d for the solid angle of the regular d-simplex, None for 1."""
-Sum = Mapping[Atom, Fraction]
+from .surd import Surd
 
 RATIONAL = {0: Fraction(1, 2), 1: Fraction(1, 3), 2: Fraction(1, 4), 3: Fraction(1, 6), 4: Fraction(0)}
 """4·cos² -> the angle over π, cos >= 0: with a rational cos² no other angle is rational (Niven)."""
-LARGEST_PRECISION = 2**12
-_ONE: Sum = {None: Fraction(1)}
 
 
 @total_ordering
@@ -46,6 +39,7 @@ class Angle:
     >>> third, regular = arccos(Surd("1/2")), arccos(Surd("1/3"))
     >>> third, 180 * regular, third < regular, (180 * regular).decimal(3)
     (1/3, 180*acos(1/3)/pi, True, '70.529')
+    >>> from coxeter.exact import sqrt
     >>> arccos(Surd("1/3")) + 2 * arccos(sqrt("1/3"))  # 70.529° + 2·54.736°
     1
     """
@@ -54,14 +48,14 @@ class Angle:
     num: Sum
     den: Sum
 
-    def __init__(self, num: Sum, den: Sum = _ONE) -> None:
-        num, den = _simplified(num), _simplified(den)
+    def __init__(self, num: Sum, den: Sum = ONE) -> None:
+        num, den = simplified(num), simplified(den)
         if not den:
             raise ZeroDivisionError("division of an angle by zero")
-        if factor := _multiple(num, den):
-            num, den = {None: factor}, _ONE
+        if factor := multiple(num, den):
+            num, den = {None: factor}, ONE
         elif den.keys() == {None}:
-            num, den = {a: q / den[None] for a, q in num.items()}, _ONE
+            num, den = {a: q / den[None] for a, q in num.items()}, ONE
         object.__setattr__(self, "num", num)
         object.__setattr__(self, "den", den)
 
@@ -86,11 +80,11 @@ class Angle:
 
     def sign(self) -> int:
         """-1, 0 or 1, decided."""
-        return _sign(self.num) * _sign(self.den)
+        return sign(self.num) * sign(self.den)
 
     def ball(self) -> flint.arb:
         """A ball that holds the value, as small as the precision that is set allows."""
-        return _ball(self.num) / _ball(self.den)
+        return ball(self.num) / ball(self.den)
 
     # -- arithmetic -----------------------------------------------------------------------------
 
@@ -100,7 +94,7 @@ class Angle:
             return NotImplemented
         if self.den != y.den:
             raise InvalidInput(f"cannot add {self} and {y}: their denominators differ")
-        return Angle(_plus(self.num, y.num), self.den)
+        return Angle(plus(self.num, y.num), self.den)
 
     __radd__ = __add__
 
@@ -119,7 +113,7 @@ class Angle:
         if y is None:
             return NotImplemented
         if y.is_rational:
-            return Angle(_times(self.num, y.as_fraction()), self.den)
+            return Angle(times(self.num, y.as_fraction()), self.den)
         if self.is_rational:
             return y * self
         raise InvalidInput(f"cannot multiply {self} and {y}: only rational multiples are exact")
@@ -133,8 +127,8 @@ class Angle:
         if y.is_rational:
             return self * (1 / y.as_fraction())
         if self.is_rational:
-            return Angle(_times(y.den, self.as_fraction()), y.num)
-        if self.den != _ONE or y.den != _ONE:
+            return Angle(times(y.den, self.as_fraction()), y.num)
+        if self.den != ONE or y.den != ONE:
             raise InvalidInput(f"cannot divide {self} by {y}: one of them is a quotient already")
         return Angle(self.num, y.num)
 
@@ -175,8 +169,8 @@ class Angle:
         return -self if self.sign() < 0 else self
 
     def __repr__(self) -> str:
-        top = _write(self.num, "acos({})/pi", "regular_share({})", "*", "{}")
-        return top if self.den == _ONE else f"({top})/({_write(self.den, _ACOS, _SHARE, '*', '{}')})"
+        top = _write(self.num, _ACOS, _SHARE, "*", "{}")
+        return top if self.den == ONE else f"({top})/({_write(self.den, _ACOS, _SHARE, '*', '{}')})"
 
     def latex(self) -> str:
         r"""The value as LaTeX.
@@ -186,7 +180,7 @@ class Angle:
         """
         style = (r"\frac{{1}}{{\pi}}\arccos\left({}\right)", r"\omega_{{{}}}", r"\cdot ", "latex")
         top = _write(self.num, *style)
-        return top if self.den == _ONE else rf"\frac{{{top}}}{{{_write(self.den, *style)}}}"
+        return top if self.den == ONE else rf"\frac{{{top}}}{{{_write(self.den, *style)}}}"
 
     def _repr_latex_(self) -> str:
         return f"${self.latex()}$"
@@ -205,6 +199,7 @@ def arccos(cosine: Surd) -> Angle:
 
     Examples
     --------
+    >>> from coxeter.exact import sqrt
     >>> arccos(-sqrt(2) / 2), arccos(Surd("-1/3"))
     (3/4, 1 - acos(1/3)/pi)
     """
@@ -238,26 +233,6 @@ def regular_share(d: int) -> Angle:
     return Angle({d: Fraction(1)})
 
 
-@lru_cache(maxsize=256)
-def _regular_ball(d: int, precision: int) -> flint.arb:
-    """The integral up to T, with a bound for the rest: |Φ(is)| e^(-s²/2) < 1 for all s."""
-    with flint.ctx.workprec(precision + 4 * d + 32):  # the integrand oscillates: leading digits cancel
-        working = flint.ctx.prec
-        end = flint.arb(math.isqrt(2 * working) + 2)
-        root, i = flint.acb(2).sqrt(), flint.acb(0, 1)
-
-        def integrand(s: flint.acb, _: bool) -> flint.acb:
-            return (flint.acb("0.5") + i * (s / root).erfi() / 2) ** d * (-(d + 1) * s * s / 2).exp()
-
-        small = flint.arb(2) ** (-working)
-        value = flint.acb.integral(integrand, flint.acb(0), flint.acb(end), rel_tol=small, abs_tol=small).real
-        tail = (-(end**2) / 2).exp() / end
-        return 2 * ((d + 1) / (2 * flint.arb.pi())).sqrt() * (value + flint.arb(0, tail.upper()))
-
-
-# -- sums ------------------------------------------------------------------------------------------
-
-
 def _operand(value: object) -> Angle | None:
     if isinstance(value, Angle):
         return value
@@ -268,102 +243,15 @@ def _operand(value: object) -> Angle | None:
     return None
 
 
-def _plus(a: Sum, b: Sum) -> Sum:
-    return {x: q for x in {**a, **b} if (q := a.get(x, Fraction(0)) + b.get(x, Fraction(0)))}
-
-
-def _times(a: Sum, q: Fraction) -> Sum:
-    return {x: p * q for x, p in a.items() if q}
-
-
-def _multiple(a: Sum, b: Sum) -> Fraction | None:
-    """The factor, if a sum is a rational multiple of another one."""
-    if a.keys() != b.keys():
-        return None
-    factors = {a[x] / b[x] for x in a}
-    return factors.pop() if len(factors) == 1 else None
-
-
-def _simplified(a: Sum) -> Sum:
-    """Zeros left out, and several arccosines replaced by a rational number if that is what they add up to.
-
-    Their total is a rational multiple of π only if the product z of the numbers at these angles is a root of
-    unity. It lies in a field of square roots, and there the roots of unity are those with z^24 = 1.
-    """
-    a = {x: q for x, q in a.items() if q}
-    cosines: dict[Atom, Fraction] = {x: q for x, q in a.items() if isinstance(x, Surd)}
-    if len(cosines) < 2:
-        return a
-    unit = Fraction(
-        math.gcd(*(q.numerator for q in cosines.values())),
-        math.lcm(*(q.denominator for q in cosines.values())),
-    )
-    real, imaginary = _product((x, int(24 * q / unit)) for x, q in cosines.items())
-    if real != 1 or imaginary:
-        return a
-    with flint.ctx.workprec(128):
-        twelfths = _ball(_times(cosines, 12 / unit)).mid()
-        total = round(float(twelfths)) * unit / 12
-    rest = {x: q for x, q in a.items() if x not in cosines}
-    return _plus(rest, {None: total})
-
-
-def _product(powers: Iterable[tuple[Atom, int]]) -> tuple[Surd, Surd]:
-    """The product of powers of cos + i·sin, as real and imaginary part."""
-    real, imaginary = Surd(1), Surd(0)
-    for cosine, n in powers:
-        assert isinstance(cosine, Surd)
-        c, s = cosine, sqrt(1 - cosine * cosine) * (1 if n > 0 else -1)
-        for bit in bin(abs(n))[:1:-1]:
-            if bit == "1":
-                real, imaginary = real * c - imaginary * s, real * s + imaginary * c
-            c, s = c * c - s * s, 2 * c * s
-    return real, imaginary
-
-
-def _ball(a: Sum) -> flint.arb:
-    return sum((_atom(x) * flint.arb(flint.fmpq(q.numerator, q.denominator)) for x, q in a.items()), _ZERO)
-
-
-_ZERO = flint.arb(0)
-
-
-def _atom(x: Atom) -> flint.arb:
-    if x is None:
-        return flint.arb(1)
-    if isinstance(x, int):
-        return _regular_ball(x, flint.ctx.prec)
-    return x.ball().acos() / flint.arb.pi()
-
-
-def _precisions() -> Iterator[int]:
-    precision = 64
-    while precision <= LARGEST_PRECISION:
-        yield precision
-        precision *= 2
-
-
-def _sign(a: Sum) -> int:
-    """The sign of a simplified sum: of one that is empty it is 0; a rational value is seen as such before."""
-    if not a:
-        return 0
-    for precision in _precisions():
-        with flint.ctx.workprec(precision):
-            ball = _ball(a)
-            if ball > 0 or ball < 0:
-                return 1 if ball > 0 else -1
-    raise Undecided(f"{Angle(a)} is 0 to {LARGEST_PRECISION} bits, and nothing shows that it is 0")
-
-
 def _compare(x: Angle, y: Angle) -> int:
     """The sign of the difference, by cross multiplication where that is exact."""
     if x.den == y.den:
-        return _sign(_simplified(_plus(x.num, _times(y.num, Fraction(-1))))) * _sign(x.den)
+        return sign(simplified(plus(x.num, times(y.num, Fraction(-1))))) * sign(x.den)
     if x.num.keys() <= {None} and y.num.keys() <= {None}:
         p, q = x.num.get(None, Fraction(0)), y.num.get(None, Fraction(0))
-        cross = _plus(_times(y.den, p), _times(x.den, -q))
-        return _sign(_simplified(cross)) * _sign(x.den) * _sign(y.den)
-    for precision in _precisions():
+        cross = plus(times(y.den, p), times(x.den, -q))
+        return sign(simplified(cross)) * sign(x.den) * sign(y.den)
+    for precision in precisions():
         with flint.ctx.workprec(precision):
             difference = x.ball() - y.ball()
             if difference > 0 or difference < 0:
