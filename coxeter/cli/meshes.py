@@ -100,9 +100,18 @@ def _mesh(options: argparse.Namespace) -> Answer:
             show(2 / 3, f"writing {len(mesh)} cells")
         write_mesh(mesh, options.output)
     rows = [f"{x.measure} {_decimal(x.min)}" for x in report.measures]
-    wrote = f"{options.output}: {len(mesh)} simplices, {len(mesh.points)} points"
-    least = f"quality, with 1 for the regular simplex: {', '.join(rows)}"
-    return Answer("\n".join([wrote, least, *(str(note.message) for note in notes)]))
+    lines = [
+        f"{options.output}: {len(mesh)} simplices, {len(mesh.points)} points",
+        f"least quality, with 1 for the regular simplex: {', '.join(rows)}",
+    ]
+    if report.degenerate:
+        lines.append(f"{report.degenerate} simplices are flat, so large are the coordinates for floats")
+    return Answer("\n".join([*lines, *_words(notes)]))
+
+
+def _words(notes: list[warnings.WarningMessage]) -> list[str]:
+    """What the library says by warnings."""
+    return [str(note.message) for note in notes if note.category is UserWarning]
 
 
 @contextmanager
@@ -145,7 +154,7 @@ def _judged(name: str, options: argparse.Namespace) -> tuple[QualityReport, list
         mesh = read_mesh(name)
         tell = show and _counting(show, len(mesh), 0, 1)
         report = quality_report(mesh, options.measure, not options.raw, options.bins, options.chunk, tell)
-    return report, [str(note.message) for note in notes]
+    return report, _words(notes)
 
 
 def _sheet(name: str, report: QualityReport, notes: list[str], normalised: bool) -> Iterator[str]:
