@@ -229,7 +229,7 @@ def test_regular_shares(d, digits):
 
 
 def test_the_shares_of_small_regular_simplices_fall():
-    shares = [regular_share(d) for d in range(1, 25)]
+    shares = [regular_share(d) for d in range(1, 13)]
     assert all(b < a for a, b in itertools.pairwise(shares))
     assert len({hash(x) for x in shares}) == len(shares)
 
@@ -290,6 +290,8 @@ def test_quotients_of_angles():
     assert x / y < 1 < y / x
     assert 1 / (1 / x) == x
     assert (3 * x) / x == 3
+    assert arccos(Surd(Fraction(-7, 9))) / x == 2
+    assert 2 == arccos(Surd(Fraction(-7, 9))) / x
     assert Fraction(1, 2) / x < Fraction(2, 3) / x
     assert Fraction(1, 2) / x > Fraction(1, 2) / y
     assert sympy.N(sympy.sympify(str(x / y))) == pytest.approx(float(x / y))

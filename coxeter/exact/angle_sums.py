@@ -50,12 +50,14 @@ def simplified(a: Sum) -> Sum:
         math.gcd(*(q.numerator for q in cosines.values())),
         math.lcm(*(q.denominator for q in cosines.values())),
     )
+    with flint.ctx.workprec(128):
+        twelfths = ball(times(cosines, 12 / unit)).unique_fmpz()
+    if twelfths is None:  # the ball, which is small, holds no integer: so the total is none of these
+        return a
     real, imaginary = _product((x, int(24 * q / unit)) for x, q in cosines.items())
     if real != 1 or imaginary:
         return a
-    with flint.ctx.workprec(128):
-        twelfths = ball(times(cosines, 12 / unit)).mid()
-        total = round(float(twelfths)) * unit / 12
+    total = int(twelfths) * unit / 12
     rest = {x: q for x, q in a.items() if x not in cosines}
     return plus(rest, {None: total})
 

@@ -247,16 +247,22 @@ def _compare(x: Angle, y: Angle) -> int:
     """The sign of the difference, by cross multiplication where that is exact."""
     if x.den == y.den:
         return sign(simplified(plus(x.num, times(y.num, Fraction(-1))))) * sign(x.den)
-    if x.num.keys() <= {None} and y.num.keys() <= {None}:
-        p, q = x.num.get(None, Fraction(0)), y.num.get(None, Fraction(0))
-        cross = plus(times(y.den, p), times(x.den, -q))
-        return sign(simplified(cross)) * sign(x.den) * sign(y.den)
+    for a, b in ((x.num, y.num), (x.num, x.den), (y.num, y.den)):
+        if all(part.keys() <= {None} for part in (a, b)):  # then the products across are rational multiples
+            cross = plus(_product(x.num, y.den), times(_product(y.num, x.den), Fraction(-1)))
+            return sign(simplified(cross)) * sign(x.den) * sign(y.den)
     for precision in precisions():
         with flint.ctx.workprec(precision):
             difference = x.ball() - y.ball()
             if difference > 0 or difference < 0:
                 return 1 if difference > 0 else -1
     raise Undecided(f"{x} and {y} agree to {LARGEST_PRECISION} bits, and nothing shows that they are equal")
+
+
+def _product(a: Sum, b: Sum) -> Sum:
+    """The product of two sums of which one is rational."""
+    rational, other = (a, b) if a.keys() <= {None} else (b, a)
+    return times(other, rational.get(None, Fraction(0)))
 
 
 def _write(a: Sum, acos: str, share: str, times: str, number: str) -> str:

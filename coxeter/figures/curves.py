@@ -202,18 +202,20 @@ def _draw_curve(canvas: Canvas, family: str, points: Sequence[Point]) -> Key:
 
 
 def _draw_peer(canvas: Canvas, name: str, number: int, points: Sequence[Point]) -> Key:
-    """A thin line in ink, dashed in its own way, and rings; a ring alone where there is but one dimension."""
-    pen, ring = _PEER_PENS[number % len(_PEER_PENS)], Pen(INK, 1.6)
-    radius = 3.0 + 1.6 * (number // len(_PEER_PENS))
-    canvas.lines([points] if len(points) > 1 else [], pen)
-    for point in points[:: math.ceil(len(points) / 16)]:
-        canvas.disc(point, radius, None, ring)
+    """A thin line in ink, dashed in its own way, and open marks; a mark alone where there is one dimension."""
+    pen, shape = _PEER_PENS[number % len(_PEER_PENS)], [*_MARKERS.values()][number % len(_MARKERS)]
+
+    def mark(canvas: Canvas, points: Sequence[Point]) -> None:
+        outlines = [[(x + dx, y + dy) for dx, dy in shape] for x, y in points]
+        canvas.polygons(outlines, INK, 0.0, Pen(INK, 1.6))
 
     def sample(canvas: Canvas, at: Point) -> None:
         if len(points) > 1:
             canvas.lines([(at, (at[0] + 36, at[1]))], pen)
-        canvas.disc((at[0] + 18, at[1]), radius, None, ring)
+        mark(canvas, [(at[0] + 18, at[1])])
 
+    canvas.lines([points] if len(points) > 1 else [], pen)
+    mark(canvas, points[:: math.ceil(len(points) / 16)])
     return Key(name, sample, 36)
 
 

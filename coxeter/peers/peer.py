@@ -96,7 +96,7 @@ def _fixed(cells: Callable[..., Iterator[Any]], *given: Any) -> tuple[Cells, Cal
 
 
 _KUHN = "H. Freudenthal, Ann. of Math. 43 (1942); H. W. Kuhn, IBM J. 4 (1960)"
-_SOMMERVILLE = "D. M. Y. Sommerville, Proc. Edinburgh Math. Soc. 41 (1923); numbers differ between authors"
+_SOMMERVILLE = "D. M. Y. Sommerville, Proc. Edinburgh Math. Soc. 41 (1923)"
 _GOLDBERG = "M. Goldberg, J. Combin. Theory A 16 (1974)"
 
 _ALL = (
