@@ -7,6 +7,7 @@ import pytest
 
 from coxeter import triangulation
 from coxeter.errors import InvalidInput
+from coxeter.figures.level_lines import level_lines
 from coxeter.location import Grid
 
 NAMES = ["A~2", "A~5", "A~12", "B~3", "B~12", "C~2", "C~7", "D~4", "E~6", "E~7", "E~8", "F~4", "G~2"]
@@ -126,3 +127,19 @@ def test_bad_points_and_sums_are_refused():
         grid.splat([[0.3, 0.1]], [1, 2])
     with pytest.raises(InvalidInput, match="do not tell simplices apart"):
         grid.splat([[1e13, 0.1]], [1])
+
+
+def test_level_lines_lie_where_the_interpolated_function_has_the_level():
+    grid = Grid("G~2", scale=0.4)
+
+    def f(x):
+        return np.sin(2 * x[:, 0]) + x[:, 1] ** 2
+
+    figure = level_lines(grid, f, [0.2, 0.1], 1.1, [0.2, 0.7])
+    assert figure.svg.startswith("<svg")
+    for level, segments in figure.data.lines.items():
+        assert len(segments) > 5
+        points = np.concatenate([segments.mean(axis=1), 0.7 * segments[:, 0] + 0.3 * segments[:, 1]])
+        assert np.allclose(grid.interpolate(points, f), level, atol=1e-9)
+    with pytest.raises(InvalidInput, match="plane"):
+        level_lines(Grid("A~3"), f, [0, 0, 0], 1, [0])

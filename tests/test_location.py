@@ -233,7 +233,7 @@ def test_very_large_dimension():
         assert np.allclose(found.barycentric.sum(axis=1), 1)
 
 
-# -- exact points, however large --------------------------------------------------------------------------------
+# -- exact points, however large ----------------------------------------------------------------------------
 
 
 @pytest.mark.parametrize("name", ["A~3", "B~3", "C~4", "D~4", "E~6", "E~7", "E~8", "F~4", "G~2"])
@@ -287,7 +287,7 @@ def test_the_first_coordinates_fix_the_others(name):
     )
 
 
-# -- by the inequalities of the roots ---------------------------------------------------------------------------
+# -- by the inequalities of the roots -----------------------------------------------------------------------
 
 
 def test_a_point_lies_between_the_mirrors_of_its_simplex(name):
