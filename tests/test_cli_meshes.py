@@ -125,14 +125,25 @@ def test_an_interrupted_mesh_leaves_the_old_file(capsys, tmp_path, monkeypatch):
     assert [x.read_text() for x in tmp_path.iterdir()] == ["the old file"]
 
 
+HALF_WAY = """
+import sys, time, meshio
+from coxeter.cli import main
+def half(path, *_, **__):
+    path.write_text("half of it")
+    time.sleep(60)
+meshio.write = half
+sys.exit(main(sys.argv[1:]))
+"""
+
+
 @pytest.mark.parametrize("sign", [signal.SIGINT, signal.SIGTERM])
 def test_a_command_that_is_stopped_leaves_nothing_but_the_old_file(tmp_path, sign):
     path = tmp_path / "out.vtu"
     path.write_text("the old file")
-    arguments = ["mesh", "A~3", "--box", "0,0,0,1,1,1", "--scale", "0.05", "-o", str(path)]
-    running = subprocess.Popen([sys.executable, "-m", "coxeter.cli", *arguments], stderr=subprocess.PIPE)
-    while running.poll() is None and len(list(tmp_path.iterdir())) < 2:
-        time.sleep(0.002)
+    command = [sys.executable, "-c", HALF_WAY, "mesh", "A~2", "--ball", "0,0,1", "-o", str(path)]
+    running = subprocess.Popen(command, stderr=subprocess.PIPE)
+    while running.poll() is None and not list(tmp_path.glob(".*/out.vtu")):
+        time.sleep(0.01)
     running.send_signal(sign)
     assert running.communicate()[1] == b"coxeter: stopped\n"
     assert running.returncode == 130
