@@ -1,4 +1,4 @@
-"""The command line, ``coxeter list``, ``info``, ``simplex``, ``table``, ``compare``, ``verify``, ``explain``.
+"""The command line, ``coxeter``: all that it can do is in `--help`.
 
 Bad input ends with one sentence on the standard error and exit status 2.
 """
@@ -14,7 +14,7 @@ from typing import NoReturn
 
 from .. import __version__
 from ..errors import CoxeterError
-from . import comparing, ledger, triangulations
+from . import comparing, ledger, meshes, triangulations
 
 
 class _Parser(argparse.ArgumentParser):
@@ -28,6 +28,7 @@ def _parser() -> argparse.ArgumentParser:
     commands = parser.add_subparsers(dest="command", required=True, metavar="COMMAND")
     triangulations.add_commands(commands)
     comparing.add_commands(commands)
+    meshes.add_commands(commands)
     ledger.add_commands(commands)
     return parser
 
@@ -37,6 +38,8 @@ def main(arguments: Sequence[str] | None = None) -> int:
     given = list(sys.argv[1:] if arguments is None else arguments)
     if given[:1] == ["simplex"]:  # a vertex may start with a minus sign; it is no option
         given = [f" {x}" if re.match(r"-[^-h]", x) else x for x in given]
+    if given[:1] == ["mesh"]:  # so may a corner of a box
+        given = [f" {x}" if re.match(r"-[.\d]", x) else x for x in given]
     try:
         options = _parser().parse_args(given)
         answer = options.run(options)

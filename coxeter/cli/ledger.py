@@ -4,10 +4,9 @@ from __future__ import annotations
 
 import argparse
 import json
-import sys
 import time
-from collections.abc import Callable, Iterator
-from contextlib import contextmanager, nullcontext
+from collections.abc import Callable
+from contextlib import nullcontext
 from typing import TYPE_CHECKING
 
 from ..errors import InvalidInput
@@ -16,7 +15,7 @@ from ..ledger.pools import cpus, process_pool
 from ..ledger.reporting import compare
 from ..ledger.running import verify
 from ..ledger.selecting import expected, select
-from .common import Answer, integer
+from .common import Answer, integer, progress
 from .explaining import explain, explained
 
 if TYPE_CHECKING:
@@ -51,8 +50,8 @@ def _verify(options: argparse.Namespace) -> Answer:
     started = time.perf_counter()
     claims = select(options.ids, options.section, options.family)
     jobs = _jobs(options.jobs, len(claims))
-    with _progress() as progress, process_pool(jobs) if jobs > 1 else nullcontext() as executor:
-        results = verify(claims, executor, progress)
+    with progress() as show, process_pool(jobs) if jobs > 1 else nullcontext() as executor:
+        results = verify(claims, executor, show and _counting(show))
     records = expected(options.ids, claims, options.section, options.family)
     report = compare(results, records, time.perf_counter() - started)
     status = 0 if report.ok else 1
@@ -60,6 +59,10 @@ def _verify(options: argparse.Namespace) -> Answer:
         return Answer(_to_json(report.data()), status)
     chosen = options.ids or options.section or options.family
     return Answer("\n".join([*report.lines(), "", str(report)] if chosen else [str(report)]), status)
+
+
+def _counting(show: Callable[[float, str], None]) -> Callable[[int, int], None]:
+    return lambda done, of: show(done / max(of, 1), f"{done} of {of} claims")
 
 
 def _jobs(asked: int | None, claims: int) -> int:
@@ -83,23 +86,3 @@ def _explain(options: argparse.Namespace) -> Answer:
 
 def _to_json(data: object) -> str:
     return json.dumps(data, indent=1, ensure_ascii=False)
-
-
-@contextmanager
-def _progress() -> Iterator[Callable[[int, int], None] | None]:
-    """A bar on the standard error, if that is a terminal; it goes when the work is done."""
-    if not sys.stderr.isatty():
-        yield None
-        return
-    started = time.perf_counter()
-
-    def show(done: int, of: int) -> None:
-        full = 30 * done // max(of, 1)
-        bar = "█" * full + "░" * (30 - full)
-        seconds = time.perf_counter() - started
-        print(f"\r{bar} {done} of {of} claims, {seconds:.0f} s", end="\x1b[K", file=sys.stderr, flush=True)
-
-    try:
-        yield show
-    finally:
-        print("\r\x1b[K", end="", file=sys.stderr, flush=True)

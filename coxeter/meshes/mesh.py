@@ -44,7 +44,7 @@ class Mesh:
     ) -> None:
         self.points: NDArray[np.float64] = np.asarray(points, dtype=np.float64)
         self.cells: NDArray[np.int64] = _integers(cells)
-        if self.points.ndim != 2 or not np.isfinite(self.points).all():
+        if self.points.ndim != 2 or not _finite(self.points):
             raise InvalidInput(f"points of shape {self.points.shape}: expected (n, m) finite numbers")
         if self.cells.ndim != 2 or not 2 <= self.cells.shape[1] <= self.points.shape[1] + 1:
             raise InvalidInput(
@@ -75,6 +75,11 @@ class Mesh:
         """The vertices of the cells, shape (k, d + 1, m)."""
         corners: NDArray[np.float64] = self.points[self.cells]
         return corners
+
+
+def _finite(points: NDArray[np.float64]) -> bool:
+    """Whether all numbers are; without an array of flags as long as they are."""
+    return bool(np.isfinite([points.min(initial=0), points.max(initial=0)]).all())
 
 
 def _integers(cells: ArrayLike) -> NDArray[np.int64]:

@@ -1,0 +1,165 @@
+"""Meshes handed to other libraries, and back: meshio, PyVista, GUDHI. Each is loaded when it is needed."""
+
+from __future__ import annotations
+
+import warnings
+from collections.abc import Iterable, Mapping
+from importlib import import_module
+from itertools import combinations
+from typing import Any
+
+import numpy as np
+from numpy.typing import ArrayLike, NDArray
+
+from ..errors import InvalidInput
+from .mesh import Mesh
+
+KINDS = {2: "triangle", 3: "tetra"}
+"""What meshio calls the simplices, by dimension."""
+INSTALL = {"meshio": "coxeter-triangulations[mesh]"}
+
+
+def library(name: str) -> Any:
+    """A library that need not be there; a refusal says how to install it."""
+    try:
+        return import_module(name)
+    except ImportError as error:
+        raise InvalidInput(f"this needs {name}: pip install {INSTALL.get(name, name)}") from error
+
+
+# -- meshio ----------------------------------------------------------------------------------------------
+
+
+def to_meshio(mesh: Mesh, pad: bool = False) -> Any:
+    """The mesh as a `meshio.Mesh`; its cells are triangles or tetrahedra.
+
+    With `pad`, points of the plane get a third coordinate 0.
+
+    >>> to_meshio(Mesh([[0, 0], [1, 0], [0, 1]], [[0, 1, 2]])).cells_dict["triangle"].tolist()
+    [[0, 1, 2]]
+    """
+    points, kind = (_in_space(mesh) if pad else mesh.points), _kind(mesh)
+    cell_data = {name: [values] for name, values in mesh.cell_data.items()}
+    return library("meshio").Mesh(points, [(kind, mesh.cells)], dict(mesh.point_data), cell_data)
+
+
+def from_meshio(found: Any) -> Mesh:
+    """The tetrahedra of a `meshio.Mesh`, or else its triangles; a warning says what is left out."""
+    data = [{name: blocks[i] for name, blocks in found.cell_data.items()} for i in range(len(found.cells))]
+    blocks = [(block.type, block.data, x) for block, x in zip(found.cells, data, strict=True)]
+    return _chosen(found.points, blocks, found.point_data)
+
+
+def _chosen(
+    points: ArrayLike, blocks: Iterable[tuple[str, Any, Mapping[str, Any]]], point_data: Mapping[str, Any]
+) -> Mesh:
+    """The simplices of the largest dimension."""
+    full = [block for block in blocks if len(block[1])]
+    kind = next((kind for kind in ("tetra", "triangle") if any(kind == x for x, _, _ in full)), None)
+    left: dict[str, int] = {}
+    for other, cells, _ in full:
+        left[other] = left.get(other, 0) + len(cells)
+    taken = left.pop(kind or "", 0)
+    words = ", ".join(f"{n} of type {other}" for other, n in left.items())
+    if not taken:
+        raise InvalidInput(f"there are neither triangles nor tetrahedra, only cells: {words or 'none'}")
+    if words:
+        warnings.warn(f"only cells of type {kind} were taken; left out: {words}", stacklevel=4)
+    chosen = [(cells, data) for other, cells, data in full if other == kind]
+    names = [name for name in chosen[0][1] if all(name in data for _, data in chosen)]
+    cell_data = {name: np.concatenate([np.asarray(data[name]) for _, data in chosen]) for name in names}
+    return Mesh(points, np.concatenate([cells for cells, _ in chosen]), point_data, cell_data)
+
+
+def _kind(mesh: Mesh) -> str:
+    if mesh.dimension not in KINDS or mesh.points.shape[1] > 3:
+        raise InvalidInput(
+            f"{mesh}: only triangles and tetrahedra in at most three dimensions can be handed over; "
+            "write_mesh keeps any others as .npz"
+        )
+    return KINDS[mesh.dimension]
+
+
+def _in_space(mesh: Mesh) -> NDArray[np.float64]:
+    """The points with three coordinates."""
+    n, m = mesh.points.shape
+    return np.hstack([mesh.points, np.zeros((n, 3 - m))])
+
+
+# -- PyVista ---------------------------------------------------------------------------------------------
+
+
+def to_pyvista(mesh: Mesh) -> Any:
+    """The mesh as a `pyvista.UnstructuredGrid`, with its data."""
+    pyvista, kind = library("pyvista"), _kind(mesh)
+    code = {"triangle": pyvista.CellType.TRIANGLE, "tetra": pyvista.CellType.TETRA}[kind]
+    grid = pyvista.UnstructuredGrid({code: mesh.cells}, _in_space(mesh))
+    for name, values in mesh.point_data.items():
+        grid.point_data[name] = values
+    for name, values in mesh.cell_data.items():
+        grid.cell_data[name] = values
+    return grid
+
+
+def from_pyvista(dataset: Any) -> Mesh:
+    """The tetrahedra of a PyVista dataset, or else its triangles; a warning says what is left out."""
+    pyvista = library("pyvista")
+    grid = dataset.cast_to_unstructured_grid()
+    names = {int(pyvista.CellType.TRIANGLE): "triangle", int(pyvista.CellType.TETRA): "tetra"}
+    blocks = []
+    for code in np.unique(grid.celltypes).tolist():
+        rows = np.flatnonzero(grid.celltypes == code)
+        kind = names.get(code, pyvista.CellType(code).name.lower())
+        cells = grid.cells_dict[code] if code in names else rows
+        blocks.append((kind, cells, {name: np.asarray(x)[rows] for name, x in grid.cell_data.items()}))
+    return _chosen(grid.points, blocks, {name: np.asarray(x) for name, x in grid.point_data.items()})
+
+
+# -- GUDHI -----------------------------------------------------------------------------------------------
+
+
+def to_gudhi(mesh: Mesh, filtration: ArrayLike | None = None) -> Any:
+    """The cells and all their faces as a `gudhi.SimplexTree`; vertices are numbered as the points are.
+
+    Parameters
+    ----------
+    mesh
+        Of any dimension.
+    filtration
+        A number for each point: a face enters with the last of its vertices. By default all enter at 0.
+
+    Examples
+    --------
+    >>> tree = to_gudhi(Mesh([[0, 0], [1, 0], [0, 1]], [[0, 1, 2]]), [3, 1, 2])
+    >>> tree.num_simplices(), tree.filtration([1, 2])
+    (7, 2.0)
+    """
+    tree = library("gudhi").SimplexTree()
+    if filtration is None:
+        tree.insert_batch(mesh.cells.T, np.zeros(len(mesh)))
+        return tree
+    values = np.asarray(filtration, dtype=np.float64)
+    if values.shape != (len(mesh.points),) or not np.isfinite(values).all():
+        raise InvalidInput(
+            f"a filtration of shape {values.shape}: expected a finite number for each of "
+            f"{len(mesh.points)} points"
+        )
+    for size in range(1, mesh.dimension + 2):
+        for columns in combinations(range(mesh.dimension + 1), size):
+            faces = mesh.cells[:, columns]
+            tree.insert_batch(faces.T, values[faces].max(axis=1))
+    return tree
+
+
+def from_gudhi(tree: Any, points: ArrayLike) -> Mesh:
+    """The simplices of the largest dimension of a `gudhi.SimplexTree`, whose vertices number points (n, m).
+
+    Raises
+    ------
+    InvalidInput
+        If there are no simplices of a positive dimension, or there are vertices without a point.
+    """
+    d = tree.dimension()
+    if d < 1:
+        raise InvalidInput("the simplex tree has no edges: there are no cells in it")
+    return Mesh(points, [simplex for simplex, _ in tree.get_simplices() if len(simplex) == d + 1])
