@@ -165,7 +165,7 @@ def test_the_same_whatever_the_array():
 def test_many_chunks_are_one_answer(monkeypatch):
     grid, points = Grid("B~4"), some_points("B~4", 1000)
     whole = grid.locate(points).keys
-    monkeypatch.setattr("coxeter.location.grid.CHUNK", 64)
+    monkeypatch.setattr("coxeter.location.grid.NUMBERS", 64)
     assert (grid.locate(points).keys == whole).all()
 
 

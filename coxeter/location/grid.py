@@ -14,9 +14,10 @@ from numpy.typing import ArrayLike, NDArray
 
 from ..affine import CoxeterTriangulation, triangulation
 from ..errors import InvalidInput
-from .folding import fold
+from .cells import cells_of, extended_cartan_matrix
+from .folding import Folded, fold
 from .frames import Frame, frame_of
-from .locating import CHUNK, Locator, over_common_denominator, read
+from .locating import NUMBERS, Found, Locator, as_floats, over_common_denominator, read
 from .subgroups import Ints, Subgroup, subgroup
 
 Floats = NDArray[np.float64]
@@ -154,23 +155,29 @@ class Grid:
             If the shape is wrong, a number is not finite, or so large that floats no longer tell the
             simplices apart.
         """
-        d, m = self.dimension, self._subgroup.ambient
-        array = read(points, self.frame, (d, m))
+        array = read(points, self.frame, (self.dimension, self._subgroup.ambient))
         if array.dtype == object:
             return self._exactly(array)
-        if array.shape[1] != d:
-            self._in_span(array)
-            return self._closed(self._in_chunks(array, None), array)
-        if self.frame.kind == "helmert":
-            return self._in_chunks(self.frame.aligned(array), self.frame.lengths)
-        found = self._in_chunks(self.frame.inward(array), None)
-        return self._closed(found, array) if self.frame.standard else found
+        n, rows = len(array), max(1, NUMBERS // array.shape[1])
+        found = Found(
+            np.empty((n, self._subgroup.ambient), np.int64), np.empty((n, self.dimension + 1)), np.empty(n, bool)
+        )
+        for i in range(0, n, rows):
+            self._locate_some(as_floats(array[i : i + rows]), found[i : i + rows])
+        return Location(self, found.keys, found.barycentric, found.open)
 
-    def _in_chunks(self, z: Floats, lengths: Floats | None) -> Location:
-        starts = range(0, max(len(z), 1), CHUNK)
-        parts = [self._locator.rounded(z[i : i + CHUNK], lengths, self.compiled) for i in starts]
-        arrays = ([getattr(part, name) for part in parts] for name in ("keys", "barycentric", "open"))
-        return Location(self, *map(np.concatenate, arrays))
+    def _locate_some(self, points: Floats, found: Found) -> None:
+        """Locate as many points as the cache holds."""
+        frame, compiled = self.frame, self.compiled
+        if points.shape[1] != self.dimension:
+            self._in_span(points)
+            self._locator.rounded(self._subgroup.into(points), None, compiled, found)
+        elif frame.kind == "helmert":
+            return self._locator.rounded(frame.aligned(points), frame.lengths, compiled, found)
+        else:
+            self._locator.rounded(self._subgroup.into(frame.inward(points)), None, compiled, found)
+        if frame.standard or points.shape[1] != self.dimension:
+            self._close(found, points)
 
     def _exactly(self, array: NDArray[Any]) -> Location:
         d, m = self.dimension, self._subgroup.ambient
@@ -202,7 +209,7 @@ class Grid:
                 f"{self.triangulation.name}"
             )
 
-    def _closed(self, found: Location, z: Floats) -> Location:
+    def _close(self, found: Found, z: Floats) -> None:
         """Decide what is open exactly: a float is a fraction."""
         rows = np.flatnonzero(found.open)
         if len(rows):
@@ -212,11 +219,13 @@ class Grid:
             found.keys[rows] = better.keys
             found.barycentric[rows] = better.barycentric.astype(np.float64)
             found.open[rows] = False
-        return found
 
     @cached_property
     def _locator(self) -> Locator:
-        return Locator(self._subgroup, self._centre, self.key_unit)
+        subgroup = self._subgroup
+        return Locator(
+            subgroup, None if subgroup.classical else cells_of(subgroup), self._centre, self.key_unit
+        )
 
     def vertices(self, keys: Ints) -> Floats:
         """The vertices (n, d + 1, d) of simplices given by their keys, by labels."""
@@ -224,32 +233,35 @@ class Grid:
 
     def corners(self, keys: Ints) -> Ints:
         """The vertices in the coordinates of the roots, exactly: integers, times `_vertex_unit`."""
-        folded = fold(self._subgroup, self._known(keys), self.key_unit)
-        return folded.undo(
-            np.broadcast_to(self._corners, (len(keys), *self._corners.shape)), self._vertex_unit
-        )
+        shares = np.eye(self.dimension + 1, dtype=np.int64) * self._vertex_unit
+        return self._folded(keys).undo(self._corners, shares, self._vertex_unit)
 
     def neighbours(self, keys: Ints) -> Ints:
         """The keys (n, d + 1, ·) of the simplices across the facets; number k shares all vertices but one."""
-        folded = fold(self._subgroup, self._known(keys), self.key_unit)
         images = [
             self._subgroup.wall(k).reflect(self._centre, self.key_unit) for k in range(self.dimension + 1)
         ]
-        return folded.undo(
-            np.broadcast_to(np.array(images), (len(keys), len(images), len(self._centre))), self.key_unit
-        )
+        return self._folded(keys).undo(np.array(images), self._shares_of_neighbours, self.key_unit)
 
-    def _known(self, keys: Ints) -> Ints:
-        """Keys, or a refusal: folding must lead to the centre."""
+    @cached_property
+    def _shares_of_neighbours(self) -> Ints:
+        """The barycentric coordinates of the centres of the neighbours of the fundamental simplex."""
+        cartan = extended_cartan_matrix(self.triangulation)
+        marks = np.array(self.triangulation.marks)
+        return (1 - cartan) * marks * (self.key_unit // marks.sum())
+
+    def _folded(self, keys: Ints) -> Folded:
+        """How keys fold onto that of the fundamental simplex, or a refusal."""
         keys = np.asarray(keys)
         if keys.ndim != 2 or keys.shape[1] != len(self._centre) or keys.dtype.kind != "i":
             raise InvalidInput(f"keys of {self.triangulation.name} are rows of {len(self._centre)} integers")
-        folded = fold(self._subgroup, keys, self.key_unit).points
-        if len(wrong := np.flatnonzero((folded != self._centre).any(axis=1))):
+        locator = self._locator
+        folded = fold(self._subgroup, locator.cells, self._subgroup.into(keys).T, self.key_unit)
+        if len(wrong := np.flatnonzero((locator.keys(folded) != keys).any(axis=1))):
             raise InvalidInput(
                 f"{keys[wrong[0]].tolist()} is no key of a simplex of {self.triangulation.name}"
             )
-        return keys
+        return folded
 
     def star(self, key: Sequence[int], label: int) -> Ints:
         """The keys of all simplices that share the vertex with a label of one of them."""

@@ -13,8 +13,6 @@ from numba import njit
 
 SMALL = 40
 """Up to so many coordinates, counting for each those before it is the fastest way to sort."""
-STEPS = 64
-"""Room for so many rounds of sorting and reflecting; more are never needed near the fundamental simplex."""
 
 
 @njit(cache=True, inline="always")
@@ -147,109 +145,59 @@ def locate_classical(
 
 
 @njit(cache=True)
-def locate_by_mirrors(
+def locate_in_cells(
     points: Any,
-    kind: int,
-    columns: Any,
-    normals: Any,
-    offsets: Any,
-    factors: Any,
-    divisors: Any,
-    left: Any,
-    weights: Any,
-    weight_scale: int,
-    doubled: Any,
-    marks: Any,
+    parts: Any,
+    walls: Any,
+    children: Any,
+    forms: Any,
+    centres: Any,
+    outward: Any,
+    below: int,
     key_unit: int,
-    centre: Any,
+    finest: float,
     keys: Any,
     shares: Any,
     sizes: Any,
-    rounding: float,
-) -> int:
-    """E6, E7, E8, F4, G2: sorting by the subgroup, and reflections in the walls that are left, in turn.
-
-    `normals` and `offsets` are those of all walls, doubled where they have halves; a reflection subtracts
-    level times factor over divisor. Returns the number of points for which there was no room for all steps.
-    """
-    n, m = points.shape
-    c, d = len(columns), len(marks) - 1
-    z, y, x = np.empty(m), np.empty(c), np.empty(c)
-    rest, size_of = np.empty(c), np.empty(c)
-    work = np.empty(c, np.int64)
-    orders, shifts = np.empty((STEPS, c), np.int64), np.empty((STEPS, c), np.int64)
-    signs, walls = np.empty((STEPS, c), np.int64), np.empty(STEPS, np.int64)
-    near, key, held = np.zeros(m, np.int64), np.empty(m, np.int64), np.empty(c, np.int64)
-    missing = 0
+) -> None:
+    """E6, E7, E8, F4, G2: sorting by the parts of the subgroup, then down the tree to the cell."""
+    n, c = points.shape
+    m, size, cells = keys.shape[1], shares.shape[1], len(forms)
+    x, fine, rest, size_of = np.empty(c), np.empty(c), np.empty(c), np.empty(c)
+    shift, order, signs = np.empty(c, np.int64), np.empty(c, np.int64), np.empty(c, np.int64)
+    key = np.empty(c, np.int64)
     for p in range(n):
-        size = 1.0
-        for i in range(m):
-            z[i] = points[p, i]
-            size = max(size, abs(z[i]))
-            near[i] = 0
-        sizes[p] = size
-        for k in range(len(weights)):
-            count = 0.0
-            for i in range(m):
-                count += z[i] * weights[k, i]
-            whole = int(np.floor((2.0 * count + weight_scale) / (2.0 * weight_scale)))
-            for i in range(m):
-                near[i] += whole * doubled[k, i]
-        for i in range(m):
-            z[i] -= near[i] * 0.5
-        steps = 0
-        while steps < STEPS:
-            for j in range(c):
-                y[j] = z[columns[j]]
+        sizes[p] = 1.0
+        for i in range(c):
+            sizes[p] = max(sizes[p], abs(points[p, i]))
+        for kind, start, stop in parts:
+            y, s, o, w = points[p, start:stop], shift[start:stop], order[start:stop], signs[start:stop]
             if kind == 0:
-                fold_plain(y, c, rest, work, shifts[steps], orders[steps], x)
-                signs[steps, :] = 1
+                fold_plain(y, stop - start, rest, w, s, o, x[start:stop])
+                w[:] = 1
             else:
-                fold_signed(y, c, kind, rest, size_of, work, shifts[steps], orders[steps], x)
-                signs[steps, :] = work
-            for j in range(c):
-                z[columns[j]] = x[j]
-            crossed = -1
-            for k in left:
-                level = -1.0 * offsets[k]
-                for i in range(m):
-                    if normals[k, i] != 0:
-                        level = level + z[i] * normals[k, i]
-                if level < -rounding:
-                    crossed = k
-                    amount = level * factors[k] / divisors[k]
-                    for i in range(m):
-                        z[i] = z[i] - amount * normals[k, i]
-                    break
-            walls[steps] = crossed
-            steps += 1
-            if crossed < 0:
-                break
-        missing += walls[steps - 1] >= 0
-        for k in range(d + 1):
-            level = -1.0 * offsets[k]
-            for i in range(m):
-                if normals[k, i] != 0:
-                    level = level + z[i] * normals[k, i]
-            shares[p, k] = level * marks[k]
+                fold_signed(y, stop - start, kind, rest, size_of, w, s, o, x[start:stop])
+            o += start
+        for i in range(c):
+            fine[i] = np.rint(x[i] * finest)
+        node = len(walls) - 1
+        while node >= cells:
+            level = walls[node, c] * finest
+            for i in range(c):
+                level += fine[i] * walls[node, i]
+            node = children[node, int(level < 0)]
+        for k in range(size):
+            shares[p, k] = forms[node, c, k]
+        for i in range(c):
+            for k in range(size):
+                shares[p, k] += x[i] * forms[node, i, k]
+        for j in range(c):
+            key[order[j]] = shift[order[j]] * key_unit + signs[j] * centres[node, j]
         for i in range(m):
-            key[i] = centre[i]
-        for step in range(steps - 1, -1, -1):
-            k = walls[step]
-            if k >= 0:
-                level_ = -offsets[k] * key_unit
-                for i in range(m):
-                    level_ += key[i] * normals[k, i]
-                level_ *= factors[k]
-                for i in range(m):
-                    key[i] -= level_ * normals[k, i] // divisors[k]
+            total = 0
             for j in range(c):
-                held[orders[step, j]] = signs[step, j] * key[columns[j]]
-            for j in range(c):
-                key[columns[j]] = held[j] + shifts[step, j] * key_unit
-        for i in range(m):
-            keys[p, i] = key[i] + near[i] * key_unit // 2
-    return missing
+                total += key[j] * outward[j, i]
+            keys[p, i] = total if below == 1 else int(np.rint(total / below))
 
 
 @njit(cache=True)
