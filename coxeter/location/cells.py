@@ -113,7 +113,13 @@ def _first(subgroup: Subgroup) -> tuple[Ints, Ints, Ints, int, int]:
     inward, times = subgroup.inward
     vertices, h = t.simplex.vertex_matrix, sum(t.marks)
     corners = vertices.numerators.astype(np.int64) @ inward * h
-    return extended_cartan_matrix(t), forms[None] // common, corners[None], int(2 * below // common), vertices.denominator * times * h
+    return (
+        extended_cartan_matrix(t),
+        forms[None] // common,
+        corners[None],
+        int(2 * below // common),
+        vertices.denominator * times * h,
+    )
 
 
 def extended_cartan_matrix(triangulation: CoxeterTriangulation) -> Ints:

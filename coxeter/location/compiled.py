@@ -50,16 +50,20 @@ def _tables(locator: Locator) -> tuple[Any, ...]:
     """What `locate_in_cells` needs to know."""
     subgroup, cells = locator.subgroup, locator.cells
     assert cells is not None
-    parts = [("ABCD".index(p.kind), p.columns.start, p.columns.stop) for p in subgroup.parts]
+    parts = [("ABCD".index(p.kind), p.start, p.columns.stop - p.start) for p in subgroup.parts]
     forms = np.moveaxis(cells.forms * cells.marks[:, None], 1, 2) / cells.scale
-    centres = cells.images(locator.shares_of_centre[None], locator.key_unit)[:, 0]
+    (outward, below), wide = subgroup.outward, kernels.WIDTH
+    missing = wide - subgroup.width
+    forms = np.pad(forms, [(0, 0), (0, 0), (0, wide + 1 - forms.shape[2])])
     return (
         np.array(parts),
-        cells.walls.astype(np.float64),
+        np.insert(cells.walls.astype(np.float64), [subgroup.width] * missing, 0, axis=1),
         cells.children,
-        np.ascontiguousarray(forms),
-        centres,
-        *subgroup.outward,
+        cells.depth,
+        np.insert(forms, [subgroup.width] * missing, 0, axis=1),
+        cells.images(locator.shares_of_centre[None], locator.key_unit)[:, 0],
+        np.pad(outward, [(0, wide - n) for n in outward.shape]),
+        below,
     )
 
 

@@ -160,7 +160,9 @@ class Grid:
             return self._exactly(array)
         n, rows = len(array), max(1, NUMBERS // array.shape[1])
         found = Found(
-            np.empty((n, self._subgroup.ambient), np.int64), np.empty((n, self.dimension + 1)), np.empty(n, bool)
+            np.empty((n, self._subgroup.ambient), np.int64),
+            np.empty((n, self.dimension + 1)),
+            np.empty(n, bool),
         )
         for i in range(0, n, rows):
             self._locate_some(as_floats(array[i : i + rows]), found[i : i + rows])

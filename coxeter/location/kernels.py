@@ -1,7 +1,7 @@
 """The same folding, compiled by Numba, point by point: the same keys, and coordinates that differ in no more
 than the last bits of a sum.
 
-Numba is optional; without it `folding` does all the work. Kinds are numbers here: A, B, C, D are 0, 1, 2, 3.
+Numba is optional; without it the NumPy code does all the work. Kinds are numbers here: A, B, C, D are 0, 1, 2, 3.
 """
 
 from __future__ import annotations
@@ -13,86 +13,112 @@ from numba import njit
 
 SMALL = 40
 """Up to so many coordinates, counting for each those before it is the fastest way to sort."""
+WIDTH = 8
+"""No exceptional group needs more coordinates."""
+GROUP = 16
+"""So many points go down a search tree side by side."""
 
 
 @njit(cache=True, inline="always")
-def rank_plain(order: Any, sizes: Any, n: int) -> None:
-    """Indices by sizes, the greatest first, equal ones in order: each counts those before it, branchless."""
-    for i in range(n):
-        size, before = sizes[i], 0
+def rank(order: Any, begin: int, sizes: Any, bounds: Any, c: int) -> None:
+    """Indices by sizes, the greatest first, as `sorting._rank`: each counts those before it, without branches."""
+    for i in range(c):
+        size, bound, before = sizes[i], bounds[i], 0
         for j in range(i):
-            before += sizes[j] >= size
-        for j in range(i + 1, n):
-            before += sizes[j] > size
-        order[before] = i
+            before += bounds[j] > size
+        for j in range(i + 1, c):
+            before += sizes[j] >= bound
+        order[begin + before] = i
 
 
 @njit(cache=True, inline="always")
-def rank_with_ties(order: Any, sizes: Any, ties: Any, n: int) -> None:
-    """The same; equal ones by another number, the least first."""
-    for i in range(n):
-        size, tie, before = sizes[i], ties[i], 0
-        for j in range(n):
-            before += (sizes[j] > size) | ((sizes[j] == size) & (ties[j] < tie))
-        order[before] = i
+def fold_plain(
+    z: Any,
+    row: int,
+    c: int,
+    rest: Any,
+    bits: Any,
+    bounds: Any,
+    turned: Any,
+    at: int,
+    shift: Any,
+    order: Any,
+    x: Any,
+) -> None:
+    """Floors, the order of what is left, and turning so that the lattice is met; x is the result, sorted.
 
-
-@njit(cache=True, inline="always")
-def fold_plain(z: Any, m: int, rest: Any, turned: Any, shift: Any, order: Any, x: Any) -> None:
-    """Floors, the order of what is left, and turning so that the lattice is met; x is the result, sorted."""
+    Reads c numbers from z[row] on, and writes from number `at` on.
+    """
     total = 0
-    for i in range(m):
-        floor = np.floor(z[i])
-        rest[i] = z[i] - floor
-        shift[i] = int(floor)
-        total += shift[i]
-    if m <= SMALL:
-        rank_plain(turned, rest, m)
+    for i in range(c):
+        floor = np.floor(z[row + i])
+        rest[i] = z[row + i] - floor
+        shift[at + i] = int(floor)
+        total += shift[at + i]
+    if c <= SMALL:
+        for i in range(c):
+            bounds[i] = bits[i] + 1
+        rank(turned, 0, bits, bounds, c)
     else:
-        turned[:m] = np.argsort(-rest[:m], kind="mergesort")
-    turn = (-total) % m
-    mean = (total + turn) // m
-    for j in range(m):
-        i = turned[j + turn - m * (j >= m - turn)]
-        lift = (j >= m - turn) - mean
-        order[j] = i
-        x[j] = rest[i] - lift
-        shift[i] += lift
+        turned[:c] = np.argsort(-rest[:c], kind="mergesort")
+    turn = (-total) % c
+    mean = (total + turn) // c
+    for j in range(c):
+        i = turned[j + turn - c * (j >= c - turn)]
+        lift = (j >= c - turn) - mean
+        order[at + j] = i
+        x[at + j] = rest[i] - lift
+        shift[at + i] += lift
 
 
 @njit(cache=True, inline="always")
 def fold_signed(
-    z: Any, d: int, kind: int, rest: Any, sizes: Any, ties: Any, shift: Any, order: Any, x: Any
+    z: Any,
+    row: int,
+    c: int,
+    kind: int,
+    rest: Any,
+    sizes: Any,
+    bits: Any,
+    bounds: Any,
+    at: int,
+    shift: Any,
+    order: Any,
+    signs: Any,
+    x: Any,
 ) -> None:
-    """Nearest integers, signs, sizes; x is the result, sorted, and `ties` ends as the signs in this order."""
+    """Nearest integers, signs, sizes; x is the result, sorted, and so are the signs."""
     odd = 0
-    for i in range(d):
-        nearest = np.floor((2.0 * z[i] + 1.0) / 2.0)
-        rest[i] = z[i] - nearest
-        shift[i] = int(nearest)
-        odd ^= shift[i] & 1
+    for i in range(c):
+        nearest = np.floor((2.0 * z[row + i] + 1.0) / 2.0)
+        rest[i] = z[row + i] - nearest
+        shift[at + i] = int(nearest)
+        odd ^= shift[at + i] & 1
         sizes[i] = abs(rest[i])
-        ties[i] = 2 * d - i if rest[i] < 0 else i
-    if d <= SMALL:
-        rank_with_ties(order, sizes, ties, d)
+    if c <= SMALL:
+        for i in range(c):
+            bounds[i] = bits[i] + (rest[i] >= 0)
+        rank(order, at, bits, bounds, c)
     else:
-        order[:d] = np.argsort(ties[:d], kind="mergesort")
-        order[:d] = order[:d][np.argsort(-sizes[order[:d]], kind="mergesort")]
+        for i in range(c):
+            bounds[i] = 2 * c - i if rest[i] < 0 else i
+        by_ties = np.argsort(bounds[:c], kind="mergesort")
+        order[at : at + c] = by_ties[np.argsort(-sizes[by_ties], kind="mergesort")]
     if kind != 2 and odd:
-        first = order[0]
+        first = order[at]
         way = -1 if rest[first] < 0 else 1
-        shift[first] += way
+        shift[at + first] += way
         rest[first] -= way
     flip = 1
-    for j in range(d):
-        i = order[j]
+    for j in range(c):
+        i = order[at + j]
         sign = -1 if rest[i] < 0 else 1
         flip *= sign
-        ties[j] = sign
-        x[j] = rest[i] * sign
+        signs[at + j] = sign
+        x[at + j] = rest[i] * sign
     if kind == 3 and flip < 0:
-        ties[d - 1] = -ties[d - 1]
-        x[d - 1] = -x[d - 1]
+        signs[at + c - 1] = -signs[at + c - 1]
+        x[at + c - 1] = -x[at + c - 1]
 
 
 @njit(cache=True)
@@ -103,7 +129,9 @@ def locate_classical(
     n, given = points.shape
     m = len(centre)
     z, rest, size_of, x = np.empty(m), np.empty(m), np.empty(m), np.empty(m)
-    shift, order, work = np.empty(m, np.int64), np.empty(m, np.int64), np.empty(m, np.int64)
+    shift, order, signs = np.empty(m, np.int64), np.empty(m, np.int64), np.empty(m, np.int64)
+    bounds, work = np.empty(m, np.int64), np.empty(m, np.int64)
+    rest_bits, size_bits = rest.view(np.int64), size_of.view(np.int64)
     for p in range(n):
         if given < m:
             total = 0.0
@@ -121,16 +149,16 @@ def locate_classical(
             size = max(size, abs(z[i]))
         sizes[p] = size
         if kind == 0:
-            fold_plain(z, m, rest, work, shift, order, x)
+            fold_plain(z, 0, m, rest, rest_bits, bounds, work, 0, shift, order, x)
             for j in range(m):
                 keys[p, order[j]] = shift[order[j]] * key_unit + centre[j]
             shares[p, 0] = 1.0 - (x[0] - x[m - 1])
             for j in range(1, m):
                 shares[p, j] = x[j - 1] - x[j]
             continue
-        fold_signed(z, m, kind, rest, size_of, work, shift, order, x)
+        fold_signed(z, 0, m, kind, rest, size_of, size_bits, bounds, 0, shift, order, signs, x)
         for j in range(m):
-            keys[p, order[j]] = shift[order[j]] * key_unit + work[j] * centre[j]
+            keys[p, order[j]] = shift[order[j]] * key_unit + signs[j] * centre[j]
         for j in range(1, m):
             shares[p, j] = 2.0 * (x[j - 1] - x[j])
         shares[p, m] = 2.0 * x[m - 1]
@@ -144,12 +172,30 @@ def locate_classical(
                 shares[p, m] = x[m - 2] + x[m - 1]
 
 
+@njit(cache=True, fastmath={"reassoc", "contract"})
+def find_cells(x: Any, count: int, walls: Any, children: Any, depth: int, finest: float, nodes: Any) -> None:
+    """Down the tree with several points side by side, which hides how long each step takes.
+
+    The sums are exact, so that their order may be changed.
+    """
+    for q in range(count):
+        nodes[q] = len(walls) - 1
+    for _ in range(depth):
+        for q in range(count):
+            node = nodes[q]
+            level = walls[node, WIDTH] * finest
+            for i in range(WIDTH):
+                level += x[q * WIDTH + i] * walls[node, i]
+            nodes[q] = children[node, int(level < 0)]
+
+
 @njit(cache=True)
 def locate_in_cells(
     points: Any,
     parts: Any,
     walls: Any,
     children: Any,
+    depth: int,
     forms: Any,
     centres: Any,
     outward: Any,
@@ -160,44 +206,61 @@ def locate_in_cells(
     shares: Any,
     sizes: Any,
 ) -> None:
-    """E6, E7, E8, F4, G2: sorting by the parts of the subgroup, then down the tree to the cell."""
+    """E6, E7, E8, F4, G2: sorting by the parts of the subgroup, then down the tree to the cell.
+
+    Tables are filled up with zeros to a fixed width, so that the innermost loops are unrolled.
+    """
     n, c = points.shape
-    m, size, cells = keys.shape[1], shares.shape[1], len(forms)
-    x, fine, rest, size_of = np.empty(c), np.empty(c), np.empty(c), np.empty(c)
-    shift, order, signs = np.empty(c, np.int64), np.empty(c, np.int64), np.empty(c, np.int64)
-    key = np.empty(c, np.int64)
-    for p in range(n):
-        sizes[p] = 1.0
-        for i in range(c):
-            sizes[p] = max(sizes[p], abs(points[p, i]))
-        for kind, start, stop in parts:
-            y, s, o, w = points[p, start:stop], shift[start:stop], order[start:stop], signs[start:stop]
-            if kind == 0:
-                fold_plain(y, stop - start, rest, w, s, o, x[start:stop])
-                w[:] = 1
-            else:
-                fold_signed(y, stop - start, kind, rest, size_of, w, s, o, x[start:stop])
-            o += start
-        for i in range(c):
-            fine[i] = np.rint(x[i] * finest)
-        node = len(walls) - 1
-        while node >= cells:
-            level = walls[node, c] * finest
+    m, labels = keys.shape[1], shares.shape[1]
+    x, fine, nodes = np.zeros(GROUP * WIDTH), np.empty(GROUP * WIDTH), np.empty(GROUP, np.int64)
+    order, signs = np.empty(GROUP * WIDTH, np.int64), np.ones(GROUP * WIDTH, np.int64)
+    shift, work, bounds = (
+        np.empty(GROUP * WIDTH, np.int64),
+        np.empty(WIDTH, np.int64),
+        np.empty(WIDTH, np.int64),
+    )
+    rest, size_of, level = np.empty(WIDTH), np.empty(WIDTH), np.empty(WIDTH + 1)
+    rest_bits, size_bits = rest.view(np.int64), size_of.view(np.int64)
+    key, image, z = np.zeros(WIDTH, np.int64), np.empty(WIDTH, np.int64), points.ravel()
+    for begin in range(0, n, GROUP):
+        count = min(GROUP, n - begin)
+        for q in range(count):
+            p, at = begin + q, q * WIDTH
+            size = 1.0
             for i in range(c):
-                level += fine[i] * walls[node, i]
-            node = children[node, int(level < 0)]
-        for k in range(size):
-            shares[p, k] = forms[node, c, k]
-        for i in range(c):
-            for k in range(size):
-                shares[p, k] += x[i] * forms[node, i, k]
-        for j in range(c):
-            key[order[j]] = shift[order[j]] * key_unit + signs[j] * centres[node, j]
-        for i in range(m):
-            total = 0
+                size = max(size, abs(points[p, i]))
+            sizes[p] = size
+            for part in range(len(parts)):
+                kind, start, w = parts[part, 0], parts[part, 1], parts[part, 2]
+                row, to = p * c + start, at + start
+                if kind == 0:
+                    fold_plain(z, row, w, rest, rest_bits, bounds, work, to, shift, order, x)
+                else:
+                    fold_signed(z, row, w, kind, rest, size_of, size_bits, bounds, to, shift, order, signs, x)
+                for j in range(to, to + w):
+                    order[j] += start
+        for i in range(len(x)):
+            fine[i] = np.rint(x[i] * finest)
+        find_cells(fine, count, walls, children, depth, finest, nodes)
+        for q in range(count):
+            p, at, cell = begin + q, q * WIDTH, nodes[q]
+            for k in range(WIDTH + 1):
+                level[k] = forms[cell, WIDTH, k]
+            for i in range(c):
+                for k in range(WIDTH + 1):
+                    level[k] += x[at + i] * forms[cell, i, k]
+            for k in range(labels):
+                shares[p, k] = level[k]
             for j in range(c):
-                total += key[j] * outward[j, i]
-            keys[p, i] = total if below == 1 else int(np.rint(total / below))
+                i = order[at + j]
+                key[i] = shift[at + i] * key_unit + signs[at + j] * centres[cell, j]
+            for i in range(WIDTH):
+                image[i] = 0
+            for j in range(c):
+                for i in range(WIDTH):
+                    image[i] += key[j] * outward[j, i]
+            for i in range(m):
+                keys[p, i] = image[i] if below == 1 else int(np.rint(image[i] / below))
 
 
 @njit(cache=True)

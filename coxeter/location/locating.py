@@ -81,7 +81,9 @@ class Locator:
         folded = fold(self.subgroup, self.cells, self.subgroup.into(12 * numerators).T, unit)
         shares = barycentric(folded, unit)
         fractions = np.frompyfunc(lambda x: Fraction(int(x), unit), 1, 1)(shares)
-        return Found(self.keys(folded), np.asarray(fractions, dtype=object), np.zeros(len(shares), dtype=bool))
+        return Found(
+            self.keys(folded), np.asarray(fractions, dtype=object), np.zeros(len(shares), dtype=bool)
+        )
 
 
 def settle(shares: Floats, bounds: Floats, near: NDArray[np.bool_]) -> None:
