@@ -36,6 +36,7 @@ def fold_plain(
     z: Any,
     row: int,
     c: int,
+    wide: int,
     rest: Any,
     bits: Any,
     bounds: Any,
@@ -58,11 +59,13 @@ def fold_plain(
     if c <= SMALL:
         for i in range(c):
             bounds[i] = bits[i] + 1
-        rank(turned, 0, bits, bounds, c)
+        for i in range(c, wide):
+            bits[i] = bounds[i] = -1
+        rank(turned, 0, bits, bounds, wide)
     else:
         turned[:c] = np.argsort(-rest[:c], kind="mergesort")
-    turn = (-total) % c
-    mean = (total + turn) // c
+    mean = int(np.ceil(total / c))
+    turn = c * mean - total
     for j in range(c):
         i = turned[j + turn - c * (j >= c - turn)]
         lift = (j >= c - turn) - mean
@@ -76,6 +79,7 @@ def fold_signed(
     z: Any,
     row: int,
     c: int,
+    wide: int,
     kind: int,
     rest: Any,
     sizes: Any,
@@ -95,10 +99,14 @@ def fold_signed(
         shift[at + i] = int(nearest)
         odd ^= shift[at + i] & 1
         sizes[i] = abs(rest[i])
-    if c <= SMALL:
+    if c == 1:
+        order[at] = 0
+    elif c <= SMALL:
         for i in range(c):
             bounds[i] = bits[i] + (rest[i] >= 0)
-        rank(order, at, bits, bounds, c)
+        for i in range(c, wide):
+            bits[i] = bounds[i] = -1
+        rank(order, at, bits, bounds, wide)
     else:
         for i in range(c):
             bounds[i] = 2 * c - i if rest[i] < 0 else i
@@ -149,14 +157,14 @@ def locate_classical(
             size = max(size, abs(z[i]))
         sizes[p] = size
         if kind == 0:
-            fold_plain(z, 0, m, rest, rest_bits, bounds, work, 0, shift, order, x)
+            fold_plain(z, 0, m, m, rest, rest_bits, bounds, work, 0, shift, order, x)
             for j in range(m):
                 keys[p, order[j]] = shift[order[j]] * key_unit + centre[j]
             shares[p, 0] = 1.0 - (x[0] - x[m - 1])
             for j in range(1, m):
                 shares[p, j] = x[j - 1] - x[j]
             continue
-        fold_signed(z, 0, m, kind, rest, size_of, size_bits, bounds, 0, shift, order, signs, x)
+        fold_signed(z, 0, m, m, kind, rest, size_of, size_bits, bounds, 0, shift, order, signs, x)
         for j in range(m):
             keys[p, order[j]] = shift[order[j]] * key_unit + signs[j] * centre[j]
         for j in range(1, m):
@@ -213,7 +221,7 @@ def locate_in_cells(
     n, c = points.shape
     m, labels = keys.shape[1], shares.shape[1]
     x, fine, nodes = np.zeros(GROUP * WIDTH), np.empty(GROUP * WIDTH), np.empty(GROUP, np.int64)
-    order, signs = np.empty(GROUP * WIDTH, np.int64), np.ones(GROUP * WIDTH, np.int64)
+    order, signs = np.empty((GROUP + 1) * WIDTH, np.int64), np.ones(GROUP * WIDTH, np.int64)
     shift, work, bounds = (
         np.empty(GROUP * WIDTH, np.int64),
         np.empty(WIDTH, np.int64),
@@ -234,9 +242,9 @@ def locate_in_cells(
                 kind, start, w = parts[part, 0], parts[part, 1], parts[part, 2]
                 row, to = p * c + start, at + start
                 if kind == 0:
-                    fold_plain(z, row, w, rest, rest_bits, bounds, work, to, shift, order, x)
+                    fold_plain(z, row, w, WIDTH, rest, rest_bits, bounds, work, to, shift, order, x)
                 else:
-                    fold_signed(z, row, w, kind, rest, size_of, size_bits, bounds, to, shift, order, signs, x)
+                    fold_signed(z, row, w, WIDTH, kind, rest, size_of, size_bits, bounds, to, shift, order, signs, x)
                 for j in range(to, to + w):
                     order[j] += start
         for i in range(len(x)):

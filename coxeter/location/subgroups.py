@@ -38,8 +38,8 @@ Ints = NDArray[np.int64]
 
 PARTS: dict[str, tuple[tuple[str, tuple[int, ...]], ...]] = {
     "E~8": (("D", (0, 8, 7, 6, 5, 4, 3, 2)),),
-    "E~7": (("D", (7, 6, 5, 4, 3, 2)), ("A", (0,))),
-    "E~6": (("A", (1, 3, 4, 5, 6)), ("A", (0,))),
+    "E~7": (("D", (7, 6, 5, 4, 3, 2)), ("C", (0,))),
+    "E~6": (("A", (1, 3, 4, 5, 6)), ("C", (0,))),
     "F~4": (("B", (0, 1, 2, 3)),),
     "G~2": (("A", (0, 2)),),
 }
@@ -125,9 +125,9 @@ class Subgroup:
 
 
 def _roots_of(kind: str, rank: int) -> tuple[NDArray[Any], NDArray[Any]]:
-    """Simple roots and fundamental coweights; those of A~1, which tiles no plane, by hand."""
+    """Simple roots and fundamental coweights; by hand for A1, which sorts a single number as C1 does."""
     if rank == 1:
-        return np.array([[1, -1]]), np.array([[Fraction(1, 2), Fraction(-1, 2)]])
+        return np.array([[2]]), np.array([[Fraction(1, 2)]])
     roots = classical(f"{kind}~{rank}").roots
     return _fractions(roots.simple_roots), _fractions(roots.fundamental_coweights)
 
@@ -166,7 +166,7 @@ def subgroup(triangulation: CoxeterTriangulation) -> Subgroup:
 
     >>> from coxeter import triangulation
     >>> [part.kind for part in subgroup(triangulation("E~7")).parts]
-    ['D', 'A']
+    ['D', 'C']
     """
     itself = ((triangulation.type.letter, tuple(range(1, triangulation.dimension + 1))),)
     parts: list[Part] = []
