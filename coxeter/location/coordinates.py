@@ -11,14 +11,14 @@ from .folding import Folded
 
 
 def barycentric(folded: Folded, unit: Any) -> NDArray[Any]:
-    """The barycentric coordinates of folded points, times the unit, shape (n, d + 1).
+    """The barycentric coordinates of folded points, times the unit, shape (d + 1, n).
 
     Coordinate k is the level of wall k times the mark m_k. For the classical families the levels are, but at
     the ends of the diagram, differences of neighbouring coordinates.
     """
     x = folded.points
     if folded.cells is not None:
-        return folded.cells.barycentric(x.T, folded.chosen, unit)
+        return folded.cells.barycentric(x.T, folded.chosen, unit).T
     letter, d = folded.subgroup.parts[0].kind, folded.subgroup.triangulation.dimension
     result = np.empty((d + 1, x.shape[1]), dtype=x.dtype)
     steps = x[:-1] - x[1:]
@@ -37,4 +37,4 @@ def barycentric(folded: Folded, unit: Any) -> NDArray[Any]:
         if letter == "D":
             result[-2] = steps[-1]
             result[-1] = x[-2] + x[-1]
-    return result.T
+    return result

@@ -100,7 +100,8 @@ def from_helmert(columns: Floats, lengths: Floats) -> Floats:
     """Points of R^d, as columns, in the d + 1 coordinates of the roots of A~d."""
     shares = columns / lengths[:, None]
     z = np.zeros((len(columns) + 1, columns.shape[1]))
-    np.cumsum(shares[::-1], axis=0, out=z[-2::-1])
+    for k in range(len(shares) - 1, -1, -1):
+        np.add(z[k + 1], shares[k], out=z[k])
     z[1:] -= shares * np.arange(1.0, len(z))[:, None]
     return z
 

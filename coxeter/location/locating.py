@@ -21,7 +21,7 @@ from .subgroups import Ints, Subgroup
 Floats = NDArray[np.float64]
 LARGEST = 2.0**40
 """Coordinates up to which floats are taken: 12 bits are left below the unit."""
-NUMBERS = 1 << 16
+NUMBERS = 1 << 15
 """So many numbers at a time are held in intermediate arrays, which then stay in the cache."""
 
 
@@ -66,9 +66,8 @@ class Locator:
         sizes = np.abs(columns).max(axis=0, initial=1.0)
         check_size(sizes)
         folded = fold(self.subgroup, self.cells, columns, 1.0)
-        found.barycentric[:] = barycentric(folded, 1.0)
+        found.barycentric[:], found.open[:] = settle(barycentric(folded, 1.0), sizes * factor)
         found.keys[:] = self.keys(folded)
-        settle(found.barycentric, sizes * factor, found.open)
 
     def keys(self, folded: Folded) -> Ints:
         """The images of the centre."""
@@ -79,18 +78,19 @@ class Locator:
         """For integers (n, m) over a common denominator, in the coordinates of the roots."""
         unit = 12 * denominator
         folded = fold(self.subgroup, self.cells, self.subgroup.into(12 * numerators).T, unit)
-        shares = barycentric(folded, unit)
+        shares = barycentric(folded, unit).T
         fractions = np.frompyfunc(lambda x: Fraction(int(x), unit), 1, 1)(shares)
         return Found(
             self.keys(folded), np.asarray(fractions, dtype=object), np.zeros(len(shares), dtype=bool)
         )
 
 
-def settle(shares: Floats, bounds: Floats, near: NDArray[np.bool_]) -> None:
-    """Barycentric coordinates without what rounding left below zero; which points are too close to tell."""
-    near[:] = shares.min(axis=1, initial=1.0) <= bounds
-    np.maximum(shares, 0.0, out=shares)
-    shares /= shares.sum(axis=1, keepdims=True)
+def settle(shares: Floats, bounds: Floats) -> tuple[Floats, NDArray[np.bool_]]:
+    """Barycentric coordinates (n, d + 1), from columns, without what rounding left below zero; and which points
+    are too close to tell."""
+    near = shares.min(axis=0, initial=1.0) <= bounds
+    shares = np.maximum(shares, 0.0)
+    return (shares / shares.sum(axis=0)).T, near
 
 
 # -- reading ------------------------------------------------------------------------------------------------

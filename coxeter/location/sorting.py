@@ -65,9 +65,11 @@ def _plain(y: Points, unit: Any) -> tuple[Points, NDArray[np.intp], Points, None
     sizes = _as_integers(rest)
     places = _rank(sizes, sizes + 1)
     total = shift.sum(axis=0)
-    turn = -total % c
-    lift = (places < turn) - (total + turn) // c
-    places = (places - turn).astype(np.intp) % c
+    mean = -_floor(-total, c)
+    turned = (places - (c * mean - total)).astype(np.intp)
+    wrapped = turned < 0
+    lift = wrapped - mean
+    places = turned + c * wrapped
     return rest - lift * unit, places, shift + lift, None
 
 
@@ -85,10 +87,10 @@ def _signed(y: Points, unit: Any, kind: str) -> tuple[Points, NDArray[np.intp], 
         signs = np.where(way == 0, signs, -way)
     if kind == "D":
         signs = np.where(places == len(y) - 1, signs * np.prod(signs, axis=0), signs)
-    return rest * signs, places, shift, signs
+    return rest * signs, places.astype(np.intp), shift, signs
 
 
-def _rank(sizes: Points, bounds: Points) -> NDArray[np.intp]:
+def _rank(sizes: Points, bounds: Points) -> NDArray[np.integer[Any]]:
     """How many come before each: i before a later j if bounds[i] > sizes[j], where bounds are sizes, or one more.
 
     So equal sizes keep their order where bounds are one more, and change it where not.
@@ -105,7 +107,7 @@ def _rank(sizes: Points, bounds: Points) -> NDArray[np.intp]:
         first = (bounds[i] > sizes[i + 1 :]).view(np.int8)
         before[i + 1 :] += first
         before[i] += c - 1 - i - first.sum(axis=0, dtype=np.int8)
-    return before.astype(np.intp)
+    return before
 
 
 def _as_integers(sizes: Points) -> Points:
