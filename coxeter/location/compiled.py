@@ -24,6 +24,8 @@ NO_LENGTHS = np.empty(0)
 def locate_compiled(locator: Locator, points: Any, lengths: Any, found: Found) -> Any:
     """Write keys and barycentric coordinates, not yet settled, by the compiled code; returns the sizes.
 
+    Where there is no Numba it returns None.
+
     Parameters
     ----------
     points
@@ -34,6 +36,8 @@ def locate_compiled(locator: Locator, points: Any, lengths: Any, found: Found) -
     found
         Where to write.
     """
+    if kernels is None:
+        return None
     sizes = np.empty(len(points))
     points, out = np.ascontiguousarray(points), (found.keys, found.barycentric, sizes)
     if locator.cells is None:

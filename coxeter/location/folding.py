@@ -44,8 +44,10 @@ class Folded:
 
         All are integers, times the unit; barycentric coordinates (j, d + 1) are wanted too.
         """
+        if self.points.dtype == object:
+            points, barycentric = points.astype(object), barycentric.astype(object)
         images = points[None] if self.cells is None else self.cells.images(barycentric, unit)
-        result = np.empty((self.points.shape[1], len(points), images.shape[2]), dtype=np.int64)
+        result = np.empty((self.points.shape[1], len(points), images.shape[2]), dtype=points.dtype)
         for j in range(len(points)):
             result[:, j] = self.sorting.undo(images[:, j], self.chosen, unit).T
         if self.cells is None:

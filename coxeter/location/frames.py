@@ -86,6 +86,11 @@ class Frame:
 
     def outward(self, points: Floats) -> Floats:
         """Points (..., m) in the coordinates of the roots back to R^d."""
+        points = self.turned(points)
+        return points if self.offset is None else points + self.offset
+
+    def turned(self, points: Floats) -> Floats:
+        """The same for vectors: without the offset."""
         if self.kind == "helmert":
             points = to_helmert(points, self.lengths)
         elif self.kind == "basis":
@@ -93,7 +98,7 @@ class Frame:
         points = points * self.scale
         if self.rotation is not None:
             points = points @ self.rotation.T
-        return points if self.offset is None else points + self.offset
+        return points
 
 
 def from_helmert(columns: Floats, lengths: Floats) -> Floats:

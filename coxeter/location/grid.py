@@ -14,13 +14,20 @@ from numpy.typing import ArrayLike, NDArray
 
 from ..affine import CoxeterTriangulation, triangulation
 from ..errors import InvalidInput
+from ..meshes import Mesh
 from .cells import cells_of, extended_cartan_matrix
-from .folding import Folded, fold
+from .convex import Ball, Box
 from .frames import Frame, frame_of
+from .interpolation import Function, Interpolation, Vertices, interpolation_at
 from .locating import NUMBERS, Found, Locator, as_floats, over_common_denominator, read
+from .patches import patch_in, patch_of
+from .regions import Star, classes_of, search, star_of
+from .rows import flood, in_order
 from .subgroups import Ints, Subgroup, subgroup
 
 Floats = NDArray[np.float64]
+LARGEST_KEY = 2**50
+"""From here on keys are Python's integers: what is made of them might not fit in 64 bits."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -95,7 +102,6 @@ class Grid:
     ) -> None:
         self.triangulation: CoxeterTriangulation = triangulation(getattr(name, "name", name))
         self.frame: Frame = frame_of(self.triangulation, scale, rotation, offset)
-        self.compiled = True
 
     def __repr__(self) -> str:
         return f"Grid({self.triangulation.name!r}{self.frame.words})"
@@ -125,15 +131,15 @@ class Grid:
         return centre
 
     @cached_property
-    def _vertex_unit(self) -> int:
-        """Turns the images of the vertices, coweights over marks, into integers."""
+    def vertex_unit(self) -> int:
+        """What vertices, in the coordinates of the roots, are multiplied by to be integers."""
         return 12 * lcm(*self.triangulation.marks, self.triangulation.simplex.vertex_matrix.denominator)
 
     @cached_property
     def _corners(self) -> Ints:
         """The vertices of the fundamental simplex, times their unit."""
         matrix = self.triangulation.simplex.vertex_matrix
-        return matrix.numerators.astype(np.int64) * (self._vertex_unit // matrix.denominator)
+        return matrix.numerators.astype(np.int64) * (self.vertex_unit // matrix.denominator)
 
     # -- points ----------------------------------------------------------------------------------------------
 
@@ -170,14 +176,14 @@ class Grid:
 
     def _locate_some(self, points: Floats, found: Found) -> None:
         """Locate as many points as the cache holds."""
-        frame, compiled = self.frame, self.compiled
+        frame = self.frame
         if points.shape[1] != self.dimension:
             self._in_span(points)
-            self._locator.rounded(self._subgroup.into(points), None, compiled, found)
+            self._locator.rounded(self._subgroup.into(points), None, found)
         elif frame.kind == "helmert":
-            return self._locator.rounded(frame.aligned(points), frame.lengths, compiled, found)
+            return self._locator.rounded(frame.aligned(points), frame.lengths, found)
         else:
-            self._locator.rounded(self._subgroup.into(frame.inward(points)), None, compiled, found)
+            self._locator.rounded(self._subgroup.into(frame.inward(points)), None, found)
         if frame.standard or points.shape[1] != self.dimension:
             self._close(found, points)
 
@@ -224,55 +230,202 @@ class Grid:
 
     @cached_property
     def _locator(self) -> Locator:
-        subgroup = self._subgroup
-        return Locator(
-            subgroup, None if subgroup.classical else cells_of(subgroup), self._centre, self.key_unit
-        )
+        cells = None if self._subgroup.classical else cells_of(self._subgroup)
+        return Locator(self._subgroup, cells, self._centre, self.key_unit)
 
-    def vertices(self, keys: Ints) -> Floats:
+    # -- simplices -------------------------------------------------------------------------------------------
+
+    def vertices(self, keys: ArrayLike) -> Floats:
         """The vertices (n, d + 1, d) of simplices given by their keys, by labels."""
-        return self.frame.outward(self.corners(keys) / self._vertex_unit)
+        return self.frame.outward((self.corners(keys) / self.vertex_unit).astype(np.float64))
 
-    def corners(self, keys: Ints) -> Ints:
-        """The vertices in the coordinates of the roots, exactly: integers, times `_vertex_unit`."""
-        shares = np.eye(self.dimension + 1, dtype=np.int64) * self._vertex_unit
-        return self._folded(keys).undo(self._corners, shares, self._vertex_unit)
+    def corners(self, keys: ArrayLike) -> Ints:
+        """The vertices in the coordinates of the roots, exactly: integers, times `vertex_unit`."""
+        shares = np.eye(self.dimension + 1, dtype=np.int64) * self.vertex_unit
+        return self._images(keys, self._corners, shares, self.vertex_unit)
 
-    def neighbours(self, keys: Ints) -> Ints:
+    def neighbours(self, keys: ArrayLike) -> Ints:
         """The keys (n, d + 1, ·) of the simplices across the facets; number k shares all vertices but one."""
-        images = [
-            self._subgroup.wall(k).reflect(self._centre, self.key_unit) for k in range(self.dimension + 1)
-        ]
-        return self._folded(keys).undo(np.array(images), self._shares_of_neighbours, self.key_unit)
-
-    @cached_property
-    def _shares_of_neighbours(self) -> Ints:
-        """The barycentric coordinates of the centres of the neighbours of the fundamental simplex."""
-        cartan = extended_cartan_matrix(self.triangulation)
-        marks = np.array(self.triangulation.marks)
-        return (1 - cartan) * marks * (self.key_unit // marks.sum())
-
-    def _folded(self, keys: Ints) -> Folded:
-        """How keys fold onto that of the fundamental simplex, or a refusal."""
-        keys = np.asarray(keys)
-        if keys.ndim != 2 or keys.shape[1] != len(self._centre) or keys.dtype.kind != "i":
-            raise InvalidInput(f"keys of {self.triangulation.name} are rows of {len(self._centre)} integers")
-        locator = self._locator
-        folded = fold(self._subgroup, locator.cells, self._subgroup.into(keys).T, self.key_unit)
-        if len(wrong := np.flatnonzero((locator.keys(folded) != keys).any(axis=1))):
-            raise InvalidInput(
-                f"{keys[wrong[0]].tolist()} is no key of a simplex of {self.triangulation.name}"
-            )
-        return folded
+        walls = map(self._subgroup.wall, range(self.dimension + 1))
+        images = np.array([wall.reflect(self._centre, self.key_unit) for wall in walls])
+        shares = (1 - extended_cartan_matrix(self.triangulation)) * self._locator.shares_of_centre
+        return self._images(keys, images, shares, self.key_unit)
 
     def star(self, key: Sequence[int], label: int) -> Ints:
-        """The keys of all simplices that share the vertex with a label of one of them."""
-        found = {tuple(int(x) for x in key)}
-        edge = np.array(sorted(found), dtype=np.int64)
+        """The keys of all simplices that share the vertex with a label of one of them, in lexicographic order."""
         others = [k for k in range(self.dimension + 1) if k != label]
-        while len(edge):
-            around = self.neighbours(edge)[:, others].reshape(-1, edge.shape[1])
-            fresh = {tuple(row) for row in around.tolist()} - found
-            found |= fresh
-            edge = np.array(sorted(fresh), dtype=np.int64)
-        return np.array(sorted(found), dtype=np.int64)
+
+        def around(keys: Ints) -> Ints:
+            return self.neighbours(keys)[:, others].reshape(-1, keys.shape[1])
+
+        found = flood(self._read([key]), around)
+        assert found is not None
+        return in_order(found)
+
+    def _images(self, keys: ArrayLike, points: Ints, shares: Ints, unit: int) -> Ints:
+        """Points (j, m) of the fundamental simplex, with their barycentric coordinates, carried to others."""
+        known = self._read(keys)
+        images, rows = (
+            np.empty((len(known), *points.shape), dtype=known.dtype),
+            max(1, NUMBERS // points.size),
+        )
+        for start in range(0, len(known), rows):
+            part = known[start : start + rows]
+            folded = self._locator.fold(part, self.key_unit)
+            if len(wrong := np.flatnonzero((self._locator.keys(folded) != part).any(axis=1))):
+                raise InvalidInput(
+                    f"{part[wrong[0]].tolist()} is no key of a simplex of {self.triangulation.name}"
+                )
+            images[start : start + rows] = folded.undo(points, shares, unit)
+        return images
+
+    def _read(self, keys: ArrayLike) -> NDArray[Any]:
+        """Keys as machine integers, or if they are too large for what follows as Python's."""
+        array = np.asarray(keys)
+        if array.ndim != 2 or array.shape[1] != len(self._centre) or not _whole(array):
+            raise InvalidInput(f"keys of {self.triangulation.name} are rows of {len(self._centre)} integers")
+        largest = max(-int(array.min(initial=0)), int(array.max(initial=0)))
+        return array.astype(np.int64 if largest < LARGEST_KEY else object)
+
+    # -- regions ---------------------------------------------------------------------------------------------
+
+    def alcoves_in_box(self, lower: ArrayLike, upper: ArrayLike) -> Ints:
+        """The keys of all simplices that meet a box, those that touch it too.
+
+        Parameters
+        ----------
+        lower, upper
+            The least and the greatest coordinates, d each, in R^d; equal ones are allowed.
+
+        Returns
+        -------
+        keys
+            In lexicographic order. None that meets the box is missing; none is farther from it than rounding
+            can tell, 2^-43 times the largest coordinate of box, scale and offset.
+
+        Raises
+        ------
+        InvalidInput
+            If a coordinate is missing or not finite, or the box holds more than fits in memory.
+
+        Examples
+        --------
+        >>> grid = Grid("C~2")
+        >>> len(grid.alcoves_in_box([0, 0], [1, 1])), len(grid.alcoves_in_box([0.1, 0.1], [0.9, 0.9]))
+        (20, 8)
+        """
+        return search(self, Box.between(lower, upper, self.dimension)).keys()
+
+    def alcoves_in_ball(self, centre: ArrayLike, radius: float) -> Ints:
+        """The keys of all simplices that meet a ball, those that touch it too, as in `alcoves_in_box`."""
+        return search(self, Ball.around(centre, radius, self.dimension)).keys()
+
+    def vertices_in_box(self, lower: ArrayLike, upper: ArrayLike) -> Vertices:
+        """The vertices in a box, those on its boundary too: keys, labels, positions.
+
+        >>> Grid("C~2").vertices_in_box([0, 0], [0.5, 0.5]).labels.tolist()
+        [0, 1, 1, 2]
+        """
+        return Vertices(self, *search(self, Box.between(lower, upper, self.dimension)).vertices())
+
+    def vertices_in_ball(self, centre: ArrayLike, radius: float) -> Vertices:
+        """The vertices in a ball, those on its boundary too, as in `vertices_in_box`."""
+        return Vertices(self, *search(self, Ball.around(centre, radius, self.dimension)).vertices())
+
+    def patch(self, keys: ArrayLike, oriented: bool = False) -> Mesh:
+        """The mesh of some simplices.
+
+        Parameters
+        ----------
+        keys
+            Those of the simplices, in the order of the cells.
+        oriented
+            Column k of the cells holds the vertices with label k: so neighbours have opposite orientations.
+            With True all get a positive determinant: in half of the rows the last two vertices change places.
+
+        Returns
+        -------
+        mesh
+            Its points are different, in the lexicographic order of their coordinates as those of the roots;
+            ``point_data["label"]`` has their labels.
+
+        Examples
+        --------
+        >>> grid = Grid("A~2")
+        >>> grid.patch(grid.star(grid.locate([[0.3, 0.4]]).keys[0], 0))
+        Mesh(7 points in R^2, 6 cells of dimension 2)
+        """
+        return patch_of(self, self._read(keys), oriented)
+
+    def patch_in_box(self, lower: ArrayLike, upper: ArrayLike, oriented: bool = False) -> Mesh:
+        """The mesh of all simplices that meet a box: the `patch` of `alcoves_in_box`, made faster."""
+        return patch_in(search(self, Box.between(lower, upper, self.dimension)), oriented)
+
+    def patch_in_ball(self, centre: ArrayLike, radius: float, oriented: bool = False) -> Mesh:
+        """The mesh of all simplices that meet a ball: the `patch` of `alcoves_in_ball`, made faster."""
+        return patch_in(search(self, Ball.around(centre, radius, self.dimension)), oriented)
+
+    @cached_property
+    def _star(self) -> Star:
+        return star_of(self)
+
+    @cached_property
+    def _classes(self) -> list[Ints]:
+        return classes_of(self)
+
+    # -- functions -------------------------------------------------------------------------------------------
+
+    def interpolation(self, points: ArrayLike) -> Interpolation:
+        """What points need to interpolate, and to splat: the vertices around, and their shares.
+
+        >>> grid = Grid("A~2")
+        >>> found = grid.interpolation([[0.3, 0.4], [0.1, 0.1]])
+        >>> found.of(lambda x: x[:, 0] + 2 * x[:, 1]).round(12).tolist()
+        [1.1, 0.3]
+        >>> float(found.splat([1, 1]).sum().round(12))
+        2.0
+        """
+        return interpolation_at(self, points)
+
+    def interpolate(self, points: ArrayLike, f: Function) -> Floats:
+        """The values at points (n, d) of the function that is linear on each simplex, and f at the vertices.
+
+        Parameters
+        ----------
+        points
+            As for `locate`.
+        f
+            Takes positions (v, d), each vertex once, to values (v,) or (v, c).
+
+        Examples
+        --------
+        >>> Grid("A~2").interpolate([[0.3, 0.4]], lambda x: 2 * x).round(12).tolist()
+        [[0.6, 0.8]]
+        """
+        return self.interpolation(points).of(f)
+
+    def splat(self, points: ArrayLike, values: ArrayLike) -> tuple[Vertices, Floats]:
+        """Share out values at points (n,) or (n, c) to the vertices around: the adjoint of `interpolate`.
+
+        Returns
+        -------
+        vertices
+            Those of the simplices that hold a point.
+        sums
+            For each the sum of the values times the points' barycentric coordinates.
+
+        Examples
+        --------
+        >>> vertices, sums = Grid("C~2").splat([[0.25, 0.0]], [8])
+        >>> dict(zip(vertices.labels.tolist(), sums.tolist()))
+        {0: 4.0, 1: 4.0, 2: 0.0}
+        """
+        found = self.interpolation(points)
+        return found.vertices, found.splat(values)
+
+
+def _whole(array: NDArray[Any]) -> bool:
+    """Whether there is nothing but integers in an array."""
+    return array.dtype.kind in "iu" or (
+        array.dtype == object and all(isinstance(x, (int, np.integer)) for x in array.flat)
+    )

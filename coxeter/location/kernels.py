@@ -244,7 +244,9 @@ def locate_in_cells(
                 if kind == 0:
                     fold_plain(z, row, w, WIDTH, rest, rest_bits, bounds, work, to, shift, order, x)
                 else:
-                    fold_signed(z, row, w, WIDTH, kind, rest, size_of, size_bits, bounds, to, shift, order, signs, x)
+                    fold_signed(
+                        z, row, w, WIDTH, kind, rest, size_of, size_bits, bounds, to, shift, order, signs, x
+                    )
                 for j in range(to, to + w):
                     order[j] += start
         for i in range(len(x)):

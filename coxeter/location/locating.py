@@ -12,7 +12,7 @@ from numpy.typing import ArrayLike, NDArray
 
 from ..errors import InvalidInput
 from .cells import Cells
-from .compiled import kernels, locate_compiled, settle_compiled
+from .compiled import locate_compiled, settle_compiled
 from .coordinates import barycentric
 from .folding import Folded, fold
 from .frames import Frame, from_helmert
@@ -53,11 +53,11 @@ class Locator:
         marks = np.array(self.subgroup.triangulation.marks)
         return marks * (self.key_unit // marks.sum())
 
-    def rounded(self, y: Floats, lengths: Floats | None, compiled: bool, found: Found) -> None:
+    def rounded(self, y: Floats, lengths: Floats | None, found: Found) -> None:
         """For floats (n, c); or (n, d), in Helmert's coordinates of A~d, if his lengths are given."""
         factor = len(self.centre) * max(self.subgroup.triangulation.marks) * 2.0**-48
-        if compiled and kernels:
-            sizes = locate_compiled(self, y, lengths, found)
+        sizes = locate_compiled(self, y, lengths, found)
+        if sizes is not None:
             check_size(sizes)
             return settle_compiled(found.barycentric, sizes, factor, found.open)
         columns = np.ascontiguousarray(y.T)
@@ -74,10 +74,14 @@ class Locator:
         images: Ints = folded.undo(self.centre[None], self.shares_of_centre[None], self.key_unit)[:, 0]
         return images
 
+    def fold(self, z: NDArray[Any], unit: int) -> Folded:
+        """Integers (n, m) in the coordinates of the roots, folded."""
+        return fold(self.subgroup, self.cells, self.subgroup.into(z).T, unit)
+
     def exact(self, numerators: NDArray[Any], denominator: int) -> Found:
         """For integers (n, m) over a common denominator, in the coordinates of the roots."""
         unit = 12 * denominator
-        folded = fold(self.subgroup, self.cells, self.subgroup.into(12 * numerators).T, unit)
+        folded = self.fold(12 * numerators, unit)
         shares = barycentric(folded, unit).T
         fractions = np.frompyfunc(lambda x: Fraction(int(x), unit), 1, 1)(shares)
         return Found(

@@ -154,11 +154,11 @@ class Wall:
     factor: Fraction
     scale: int
 
-    def reflect(self, point: Ints, unit: int) -> Ints:
-        """The mirror image of a point, given as integers over a unit."""
-        level = int(point @ self.normal - self.offset * unit) * self.factor.numerator
-        image: Ints = point - level * self.normal // self.factor.denominator
-        return image
+    def reflect(self, points: Ints, unit: int) -> Ints:
+        """The mirror images of points (..., m), given as integers over a unit."""
+        levels = (points @ self.normal - self.offset * unit) * self.factor.numerator
+        images: Ints = points - levels[..., None] * self.normal // self.factor.denominator
+        return images
 
 
 def subgroup(triangulation: CoxeterTriangulation) -> Subgroup:

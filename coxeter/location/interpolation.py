@@ -1,0 +1,120 @@
+"""Functions that are linear on each simplex: their values at points, and the adjoint, which is splatting.
+
+Both are a sparse matrix with d + 1 entries in a row, the barycentric coordinates of a point: times the values at
+the vertices, and transposed. So are the slicing and the splatting of the permutohedral lattice, which is A~
+(Adams, Baek and Davis, *Fast High-Dimensional Filtering Using the Permutohedral Lattice*, 2010).
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from dataclasses import dataclass
+from functools import cached_property
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+from numpy.typing import ArrayLike, NDArray
+from scipy.sparse import csr_array
+
+from ..errors import InvalidInput
+from .rows import distinct
+from .subgroups import Ints
+
+if TYPE_CHECKING:
+    from .grid import Grid
+
+Floats = NDArray[np.float64]
+
+
+@dataclass(frozen=True, eq=False)
+class Vertices:
+    """Vertices of a grid, each once.
+
+    Attributes
+    ----------
+    grid
+        Whose.
+    keys
+        For each a row of integers, equal exactly when the vertices are: its coordinates as those of the roots,
+        times `Grid.vertex_unit`. They are in lexicographic order.
+    labels
+        The labels, 0 to d.
+    """
+
+    grid: Grid
+    keys: Ints
+    labels: Ints
+
+    def __len__(self) -> int:
+        return len(self.keys)
+
+    @cached_property
+    def positions(self) -> Floats:
+        """Where they lie, shape (n, d)."""
+        return self.grid.frame.outward((self.keys / self.grid.vertex_unit).astype(np.float64))
+
+
+Function = Callable[[Floats], ArrayLike]
+
+
+@dataclass(frozen=True, eq=False)
+class Interpolation:
+    """What n points make of values at vertices; `Grid.interpolation` gives one.
+
+    Attributes
+    ----------
+    vertices
+        Those of the simplices that hold the points.
+    matrix
+        Sparse, shape (points, vertices): the barycentric coordinates of a point are a row.
+    """
+
+    vertices: Vertices
+    matrix: csr_array
+
+    def of(self, f: Function | ArrayLike) -> Floats:
+        """The values at the points of the function that is linear on each simplex, and f at the vertices.
+
+        Parameters
+        ----------
+        f
+            A function that takes the vertices' positions (v, d) to values (v,) or (v, c); or these values, in
+            the order of `vertices`.
+
+        Raises
+        ------
+        InvalidInput
+            If there is not a value for each vertex.
+        """
+        values = f(self.vertices.positions) if callable(f) else f
+        return np.asarray(self.matrix @ _rows(values, len(self.vertices), "vertices"))
+
+    def splat(self, values: ArrayLike) -> Floats:
+        """For each vertex the sum of the points' values (n,) or (n, c), times their barycentric coordinates.
+
+        It is the adjoint of `of`: <of(f), values> = <f, splat(values)>.
+        """
+        return np.asarray(self.matrix.T @ _rows(values, self.matrix.shape[0], "points"))
+
+
+def interpolation_at(grid: Grid, points: ArrayLike) -> Interpolation:
+    """The vertices of the simplices that hold points, and their shares."""
+    found = grid.locate(points)
+    n, c = found.barycentric.shape
+    keys, which = distinct(found.keys)
+    rows, corners = distinct(grid.corners(keys))
+    labels = np.empty(len(rows), dtype=np.int64)
+    labels[corners] = np.arange(c)
+    shares = found.barycentric.astype(np.float64).reshape(-1)
+    entries = (shares, corners[which].reshape(-1), np.arange(n + 1) * c)
+    return Interpolation(Vertices(grid, rows, labels), csr_array(entries, shape=(n, len(rows))))
+
+
+def _rows(values: Any, n: int, what: str) -> Floats:
+    try:
+        array = np.asarray(values, dtype=np.float64)
+    except (TypeError, ValueError):
+        raise InvalidInput(f"values must be numbers, a row for each of {n} {what}") from None
+    if array.ndim not in (1, 2) or len(array) != n:
+        raise InvalidInput(f"values of shape {array.shape} were given: expected a row for each of {n} {what}")
+    return array

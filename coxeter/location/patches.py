@@ -1,0 +1,57 @@
+"""Patches of a triangulation as meshes."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING
+
+import numpy as np
+
+from ..meshes import Mesh
+from .regions import Search
+from .rows import addends, codes, distinct, in_order, numbered
+from .subgroups import Ints
+
+if TYPE_CHECKING:
+    from .grid import Grid
+
+
+def patch_of(grid: Grid, keys: Ints, oriented: bool = False) -> Mesh:
+    """The mesh of simplices given by their keys."""
+    points, cells = distinct(grid.corners(keys))
+    labels = np.empty(len(points), dtype=np.int64)
+    labels[cells] = np.arange(grid.dimension + 1)
+    return _mesh(grid, points, labels, cells, oriented)
+
+
+def patch_in(found: Search, oriented: bool = False) -> Mesh:
+    """The mesh of the simplices that meet a region.
+
+    In stars, the number of a vertex is that of vertex 0 plus one that belongs to the star. So vertices are told
+    apart, exactly, without being looked at.
+    """
+    grid, few = found.grid, found.few()
+    if few is not None:
+        return patch_of(grid, in_order(few), oriented)
+    lattice, vectors, simplices = found.stars()
+    keys = found.keys_of(lattice, vectors, simplices)
+    star, d = grid._star, grid.dimension
+    numbers = addends(lattice[:, :d], star.points[:, :d])  # the first d coordinates fix the others
+    if numbers is None:
+        return patch_of(grid, in_order(keys), oriented)
+    order = np.argsort(codes(keys))
+    vectors, simplices = vectors[order], simplices[order]
+    different, cells = numbered(numbers[0][vectors, None] + numbers[1][star.corners][simplices])
+    owner = np.empty(len(different), dtype=np.int64)
+    owner[cells] = np.arange(cells.size).reshape(cells.shape)
+    cell, labels = np.divmod(owner, d + 1)
+    points = lattice[vectors[cell]] + star.points[star.corners[simplices[cell], labels]]
+    return _mesh(grid, points, labels, cells, oriented)
+
+
+def _mesh(grid: Grid, rows: Ints, labels: Ints, cells: Ints, oriented: bool) -> Mesh:
+    points = grid.frame.outward(rows / grid.vertex_unit)
+    if oriented:
+        edges = points[cells[:, 1:]] - points[cells[:, :1]]
+        turned = np.flatnonzero(np.linalg.det(edges) < 0)
+        cells[turned, -2:] = cells[turned, :-3:-1]
+    return Mesh(points, cells, {"label": labels})

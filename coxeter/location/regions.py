@@ -1,0 +1,230 @@
+"""What lies in a box or a ball: simplices and vertices.
+
+Why spreading from neighbour to neighbour finds all simplices that meet a compact convex set K. Take two of them, a
+point of each in K, and next to these, at most ε away, points inside the two simplices such that the segment between
+misses all faces of codimension 2. It runs through simplices one of which is the neighbour of the next, and crosses
+each facet at most ε away from K. There are finitely many facets near K, so those that come that near for all ε > 0
+meet K. All simplices on the way have such a facet, or are one of the two: they meet K.
+
+A larger patch is made of *stars*. Vertex 0 of each simplex is a vector of the coroot lattice L, and the simplices
+round a vector are those round 0, one for each element of the Weyl group, moved by it. Neighbours have the same
+vertex 0, or across facet 0 one that differs by a coroot of the orbit of that of the highest root. So by what was
+shown, steps by these lead to all lattice vectors that are vertex 0 of a simplex which meets K, even if none are left
+but such as are no farther from K than the longest edge at vertex 0.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterator
+from dataclasses import dataclass
+from functools import cached_property
+from typing import TYPE_CHECKING
+
+import numpy as np
+
+from ..errors import InvalidInput
+from .convex import SLACK, Flags, Floats, Region, meets
+from .rows import codes, distinct, flood, in_order
+from .subgroups import Ints
+
+if TYPE_CHECKING:
+    from .grid import Grid
+
+LARGEST_STAR = 60_000
+"""Stars of more simplices are not made: then neighbours lead to neighbours, however many there are."""
+LARGEST_ANSWER = 2**28
+"""More simplices than this are not looked for: they would not fit in memory."""
+BLOCK = 1 << 18
+"""So many simplices at a time are held in intermediate arrays."""
+
+
+@dataclass(frozen=True, eq=False)
+class Star:
+    """The simplices round the origin, and what they share.
+
+    Attributes
+    ----------
+    keys
+        Those of the n simplices.
+    points, corners
+        Their vertices, each once, times the unit; and which are those of a simplex, shape (n, d + 1), by labels.
+    normals, sides
+        The gradients of their barycentric coordinates in R^d, each once; and which are those of a simplex.
+    """
+
+    keys: Ints
+    points: Ints
+    corners: Ints
+    normals: Floats
+    sides: Ints
+
+
+def star_of(grid: Grid) -> Star:
+    """The simplices round the origin."""
+    keys = orbit(grid, grid._centre, grid.key_unit)
+    points, corners = distinct(grid.corners(keys))
+    gram = grid.triangulation._gradient_gram
+    gradients, sides = distinct(gram.numerators @ points[corners])
+    normals = grid.frame.turned(gradients / (gram.denominator * grid.vertex_unit)) / grid.frame.scale**2
+    return Star(keys, points, corners, normals, sides)
+
+
+def gradients_of(grid: Grid, corners: Floats) -> Floats:
+    """The gradients (n, d + 1, d) of the barycentric coordinates of simplices given by their corners.
+
+    As the sum of gradient_k ⊗ corner_k is the identity, gradient_j is the sum of <gradient_j, gradient_k> corner_k.
+    """
+    gram = grid.triangulation._gradient_gram
+    matrix = (gram.numerators / gram.denominator).astype(np.float64) / grid.frame.scale**2
+    return np.asarray(matrix @ (corners - corners[:, :1]))
+
+
+def classes_of(grid: Grid) -> list[Ints]:
+    """For each label its vertices, times the unit, up to the coroot lattice: images under the Weyl group."""
+    t, unit = grid.triangulation, grid.vertex_unit
+    simple, coweights = t.roots.simple_roots, t.roots.fundamental_coweights
+    squares = (simple.numerators**2).sum(axis=1) // simple.denominator**2
+    weights = coweights.numerators * squares[:, None]
+
+    def coordinates(rows: Ints) -> Ints:
+        """In the basis of simple coroots, modulo 1."""
+        return np.asarray(rows @ weights.T % (2 * coweights.denominator * unit))
+
+    return [orbit(grid, row, unit, coordinates) for row in grid._corners]
+
+
+def orbit(grid: Grid, row: Ints, unit: int, same: Callable[[Ints], Ints] | None = None) -> Ints:
+    """The images of a row under the Weyl group; of those that are the same, one."""
+    walls = [grid._subgroup.wall(k) for k in range(1, grid.dimension + 1)]
+
+    def mirrored(rows: Ints) -> Ints:
+        return np.concatenate([wall.reflect(rows, unit) for wall in walls])
+
+    found = flood(row[None], mirrored, same=same)
+    assert found is not None
+    return found
+
+
+# -- searching ------------------------------------------------------------------------------------------------
+
+
+@dataclass(frozen=True, eq=False)
+class Search:
+    """A grid, and a region in it that is enlarged by what rounding needs."""
+
+    grid: Grid
+    region: Region
+
+    def keys(self) -> Ints:
+        """The keys of the simplices that meet the region, in lexicographic order."""
+        found = self.few()
+        if found is None:
+            found = self.keys_of(*self.stars())
+        return in_order(found)
+
+    def few(self) -> Ints | None:
+        """The same in any order, from neighbour to neighbour; None if stars are better."""
+        order = self.grid.triangulation.roots.weyl_group_order
+        limit = order if order <= LARGEST_STAR else None
+        return flood(self._middle, self._around, self._meets, limit=limit)
+
+    def stars(self) -> tuple[Ints, Ints, Ints]:
+        """Vectors of L, and of each simplex that meets the region the number of its vertex 0 and its own."""
+        lattice = self.lattice()
+        vectors, simplices = zip(*self._blocks(lattice), strict=True)
+        return lattice, np.concatenate(vectors), np.concatenate(simplices)
+
+    def keys_of(self, lattice: Ints, vectors: Ints, simplices: Ints) -> Ints:
+        """The keys of what `stars` gives."""
+        moved = lattice * self.grid.key_unit // self.grid.vertex_unit
+        return np.asarray(self.grid._star.keys[simplices] + moved[vectors])
+
+    def lattice(self) -> Ints:
+        """The vectors of L, times the unit, near the region: all that are vertex 0 of a simplex that meets it."""
+        grid, unit = self.grid, self.grid.vertex_unit
+        steps = orbit(grid, grid._subgroup.wall(0).reflect(0 * grid._centre, unit), unit)
+        edges = np.linalg.norm(grid.frame.turned(grid._corners / unit), axis=1)
+        wider = self.region.enlarged(float(edges.max()))
+
+        def around(rows: Ints) -> Ints:
+            return np.concatenate([rows + step for step in steps])
+
+        def near(rows: Ints) -> Flags:
+            return np.asarray(wider.distance(self._place(rows)) == 0)
+
+        found = flood(grid.corners(self._middle)[:, 0], around, near)
+        assert found is not None
+        return found
+
+    def vertices(self) -> tuple[Ints, Ints]:
+        """The vertices in the region, times the unit, in lexicographic order; and their labels."""
+        lattice, rows, labels = self.lattice(), [], []
+        for k, shifts in enumerate(self.grid._classes):
+            unmoved = self.grid.frame.turned(shifts / self.grid.vertex_unit)
+            size = max(1, BLOCK // len(shifts))
+            for part in (lattice[i : i + size] for i in range(0, len(lattice), size)):
+                inside = self.region.distance(self._place(part)[:, None] + unmoved) == 0
+                vectors, chosen = np.nonzero(inside)
+                rows.append(part[vectors] + shifts[chosen])
+                labels.append(np.full(len(chosen), k))
+        found = np.concatenate(rows)
+        order = np.argsort(codes(found))
+        return found[order], np.concatenate(labels)[order]
+
+    @cached_property
+    def _middle(self) -> Ints:
+        """The key of a simplex that holds the centre."""
+        return self.grid.locate(self.region.centre[None]).keys
+
+    def _place(self, rows: Ints) -> Floats:
+        """Where vectors (times the unit) lie, seen from the centre of the region."""
+        return self.grid.frame.outward(rows / self.grid.vertex_unit) - self.region.centre
+
+    def _around(self, keys: Ints) -> Ints:
+        return self.grid.neighbours(keys).reshape(-1, keys.shape[1])
+
+    def _meets(self, keys: Ints) -> Flags:
+        corners = self._place(self.grid.corners(keys))
+        return meets(self.region, corners, gradients_of(self.grid, corners))
+
+    def _blocks(self, lattice: Ints) -> Iterator[tuple[Ints, Ints]]:
+        """As `meets`, but simplices that share a corner or a gradient look at it once."""
+        star, grid, d = self.grid._star, self.grid, self.grid.dimension
+        unmoved = grid.frame.turned(star.points / grid.vertex_unit)
+        reach, bits = self.region.reach(star.normals), 1 << np.arange(2 * d, dtype=np.uint16)
+        size = max(1, BLOCK // len(star.keys))
+        for start in range(0, len(lattice), size):
+            at = self._place(lattice[start : start + size])
+            points = at[:, None] + unmoved
+            inside = self.region.distance(points) == 0
+            sides = np.concatenate([points > self.region.half, points < -self.region.half], axis=2) @ bits
+            highest = reach - at @ star.normals.T
+            meet = np.zeros((len(at), len(star.keys)), dtype=np.bool_)
+            beyond, common = meet.copy(), np.full(meet.shape, 2 ** (2 * d) - 1, dtype=np.uint16)
+            for k in range(d + 1):
+                meet |= inside[:, star.corners[:, k]]
+                common &= sides[:, star.corners[:, k]]
+                beyond |= (highest + (k == 0) < 0)[:, star.sides[:, k]]
+            v, s = np.nonzero(~meet & ~beyond & (common == 0))
+            corners = at[v, None] + unmoved[star.corners[s]]
+            meet[v, s] = self.region.touches(corners, star.normals[star.sides[s]])
+            v, s = np.nonzero(meet)
+            yield v + start, s
+
+
+def search(grid: Grid, region: Region) -> Search:
+    """A region as it is searched.
+
+    Raises
+    ------
+    InvalidInput
+        If more simplices lie in it than fit in memory.
+    """
+    volume = float(grid.triangulation.simplex.volume) * grid.frame.scale**grid.dimension
+    if (count := region.volume / volume) > LARGEST_ANSWER:
+        raise InvalidInput(
+            f"the region is as large as {count:.3g} simplices: too many to hold; take parts of it, or a larger scale"
+        )
+    largest = np.abs(region.centre).max() + region.reach(np.eye(grid.dimension)).max()
+    offset = 0.0 if grid.frame.offset is None else np.abs(grid.frame.offset).max()
+    return Search(grid, region.enlarged(SLACK * float(max(largest, offset, grid.frame.scale))))
