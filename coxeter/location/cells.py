@@ -7,6 +7,7 @@ levels of the walls of a simplex are integer linear forms; those of its neighbou
 from __future__ import annotations
 
 from dataclasses import dataclass
+from functools import lru_cache
 from typing import Any
 
 import numpy as np
@@ -80,6 +81,7 @@ class Cells:
         return images
 
 
+@lru_cache
 def cells_of(subgroup: Subgroup) -> Cells:
     """All cells, found by crossing walls as long as that stays within the subgroup's fundamental simplex."""
     marks = np.array(subgroup.triangulation.marks)

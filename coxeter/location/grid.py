@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
 from fractions import Fraction
 from functools import cached_property
@@ -19,6 +19,7 @@ from .cells import cells_of, extended_cartan_matrix
 from .convex import Ball, Box
 from .frames import Frame, frame_of
 from .interpolation import Function, Interpolation, Vertices, interpolation_at
+from .lazy import is_lazy, locate_lazily, vertices_lazily
 from .locating import NUMBERS, Found, Locator, as_floats, over_common_denominator, read
 from .patches import patch_in, patch_of
 from .regions import Star, classes_of, search, star_of
@@ -61,6 +62,8 @@ class Location:
     @cached_property
     def vertices(self) -> Floats:
         """The vertices of the simplices, shape (n, d + 1, d), by their labels."""
+        if is_lazy(self.keys):
+            return vertices_lazily(self.grid, self.keys)  # type: ignore[no-any-return]
         return self.grid.vertices(self.keys)
 
 
@@ -102,6 +105,11 @@ class Grid:
     ) -> None:
         self.triangulation: CoxeterTriangulation = triangulation(getattr(name, "name", name))
         self.frame: Frame = frame_of(self.triangulation, scale, rotation, offset)
+
+    def __reduce__(self) -> tuple[Any, ...]:
+        """A grid is sent to another process as what it was made from; what is computed of it is not."""
+        frame = self.frame
+        return type(self), (self.triangulation.name, frame.scale, frame.rotation, frame.offset)
 
     def __repr__(self) -> str:
         return f"Grid({self.triangulation.name!r}{self.frame.words})"
@@ -152,7 +160,8 @@ class Grid:
         Parameters
         ----------
         points
-            An array (n, d) of floats; or exact numbers (integers, fractions) in the coordinates of the roots,
+            An array (n, d) of floats, or a Dask array of them, for which the answer consists of Dask arrays; or
+            exact numbers (integers, fractions) in the coordinates of the roots,
             for which the answer is exact, if the grid has neither scale, rotation nor offset.
 
         Raises
@@ -161,6 +170,8 @@ class Grid:
             If the shape is wrong, a number is not finite, or so large that floats no longer tell the
             simplices apart.
         """
+        if is_lazy(points):
+            return Location(self, *locate_lazily(self, points))
         array = read(points, self.frame, (self.dimension, self._subgroup.ambient))
         if array.dtype == object:
             return self._exactly(array)
@@ -173,6 +184,35 @@ class Grid:
         for i in range(0, n, rows):
             self._locate_some(as_floats(array[i : i + rows]), found[i : i + rows])
         return Location(self, found.keys, found.barycentric, found.open)
+
+    def locate_chunks(self, points: ArrayLike, chunk: int = 1 << 16) -> Iterator[Location]:
+        """Locate more points than fit in memory: one answer after the other, in order.
+
+        What is held at a time is what `locate` needs for a chunk: input, keys and barycentric coordinates, about
+        24 (d + 1) bytes a point, and a fixed amount for intermediate results.
+
+        Parameters
+        ----------
+        points
+            As for `locate`; a file opened by ``np.load(..., mmap_mode="r")`` is read chunk by chunk.
+        chunk
+            How many points at a time.
+
+        Raises
+        ------
+        InvalidInput
+            As `locate`, once the chunk's turn comes, with rows counted within it; or if the chunk is not positive.
+
+        Examples
+        --------
+        >>> grid = Grid("A~2")
+        >>> [len(found) for found in grid.locate_chunks(np.zeros((5, 2)), chunk=2)]
+        [2, 2, 1]
+        """
+        if chunk < 1:
+            raise InvalidInput(f"chunks of {chunk} points were asked for: give a positive number")
+        rows = points if isinstance(points, np.ndarray) else np.asarray(points)
+        return (self.locate(rows[i : i + chunk]) for i in range(0, len(rows), chunk))
 
     def _locate_some(self, points: Floats, found: Found) -> None:
         """Locate as many points as the cache holds."""
