@@ -152,9 +152,7 @@ class Ball:
         """
         means = corners.mean(axis=1)
         least = np.einsum("nkd,nd->nk", corners, means).min(axis=1)
-        near = np.flatnonzero(
-            least <= self.radius * np.linalg.norm(means, axis=1)
-        )  # cheap, and rarely in vain
+        near = np.flatnonzero(least <= self.radius * np.linalg.norm(means, axis=1))  # cheap, and rarely in vain
         corners, gradients = corners[near], gradients[near]
         levels = 1 - np.einsum("nkd,nkd->nk", gradients, corners)  # the barycentric coordinates of the centre
         products = gradients @ gradients.transpose(0, 2, 1)
@@ -213,9 +211,7 @@ def _feasible(table: Floats, lower: Floats, upper: Floats) -> Flags:
         if not len(go):
             return result
         state = (table, lower, upper, values, left, right, at_upper, active, row, column, rising)
-        table, lower, upper, values, left, right, at_upper, active, row, column, rising = (
-            x[go] for x in state
-        )
+        table, lower, upper, values, left, right, at_upper, active, row, column, rising = (x[go] for x in state)
         here, need = here[: len(go)], np.where(rising, lack[go, row], -excess[go, row])
         line, entries = table[here, row], table[here, :, column]
         pivot = line[here, column]
