@@ -11,18 +11,13 @@ from dataclasses import dataclass
 from typing import Protocol
 
 import numpy as np
-from numpy.typing import ArrayLike, NDArray
+from numpy.typing import ArrayLike
 
 from ..errors import InvalidInput
+from .feasible import TINY, Flags, Floats, feasible
 
-Floats = NDArray[np.float64]
-Flags = NDArray[np.bool_]
 SLACK = 2.0**-44
 """How much a region is enlarged, relative to the largest coordinate: 512 times the rounding of a float."""
-TINY = 2.0**-46
-"""What counts as zero among barycentric coordinates, and among coordinates in units of a simplex."""
-HEURISTIC = 5
-"""So many pivots per variable the steepest is taken; then that of Bland, which leads to an end."""
 
 
 class Region(Protocol):
@@ -50,7 +45,7 @@ class Region(Protocol):
         """How far points (..., d) are from the region: 0 inside."""
 
     def touches(self, corners: Floats, gradients: Floats) -> Flags:
-        """Which simplices meet the region: their corners and the gradients of their barycentric coordinates."""
+        """Which simplices meet it, by their corners and the gradients of their barycentric coordinates."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -100,7 +95,7 @@ class Box:
         half = self.half / unit
         lower = np.concatenate([-half - first, np.full((n, 1), -1.0), np.zeros((n, d))], axis=1)
         upper = np.concatenate([half - first, np.full((n, d + 1), np.inf)], axis=1)
-        return _feasible(table, lower, upper)
+        return feasible(table, lower, upper)
 
 
 @dataclass(frozen=True, eq=False)
@@ -144,15 +139,16 @@ class Ball:
     def touches(self, corners: Floats, gradients: Floats) -> Flags:
         """Which simplices are no farther from the centre than the radius.
 
-        The point of a simplex that is nearest to the centre is the centre plus the sum of l_j gradient_j, with
-        l_j >= 0, and l_j = 0 unless barycentric coordinate j is 0 there. No angle between facets is obtuse, so
-        the inner products of different gradients are not positive, and the l_j are found without a step back:
-        take those facets that the centre is beyond, go to where they meet, add those that the new point is
-        beyond, and so on, d times at most (Chandrasekaran, *Opsearch* 7, 1970, on M-matrices).
+        The point of a simplex that is nearest to the centre is the centre plus the sum of l_j gradient_j,
+        with l_j >= 0, and l_j = 0 unless barycentric coordinate j is 0 there. No angle between facets is
+        obtuse: the inner products of different gradients are not positive. So the l_j are found without a
+        step back. Take those facets that the centre is beyond, go to where they meet, add those that the new
+        point is beyond, and so on, d times at most (Chandrasekaran, *Opsearch* 7, 1970, on Z-matrices).
         """
+        # First, as it is cheap: is there a plane between, orthogonal to the way to the mean of the corners?
         means = corners.mean(axis=1)
         least = np.einsum("nkd,nd->nk", corners, means).min(axis=1)
-        near = np.flatnonzero(least <= self.radius * np.linalg.norm(means, axis=1))  # cheap, and rarely in vain
+        near = np.flatnonzero(least <= self.radius * np.linalg.norm(means, axis=1))
         corners, gradients = corners[near], gradients[near]
         levels = 1 - np.einsum("nkd,nkd->nk", gradients, corners)  # the barycentric coordinates of the centre
         products = gradients @ gradients.transpose(0, 2, 1)
@@ -182,50 +178,6 @@ def meets(region: Region, corners: Floats, gradients: Floats) -> Flags:
     unsettled = np.flatnonzero(~result & (highest >= 0).all(axis=1) & near.all(axis=1))
     result[unsettled] = region.touches(corners[unsettled], gradients[unsettled])
     return result
-
-
-def _feasible(table: Floats, lower: Floats, upper: Floats) -> Flags:
-    """Whether there are t with lower <= (table · t, t) <= upper, for many small systems at once.
-
-    The simplex method of Dutertre and de Moura (*A fast linear-arithmetic solver for DPLL(T)*, 2006). All t
-    start at their lower bounds, 0. Of the dependent variables one that is out of bounds is exchanged for an
-    independent one that can make up for it; if there is none, there is no solution.
-    """
-    n, r, c = table.shape
-    left, right = np.tile(np.arange(r), (n, 1)), np.tile(np.arange(r, r + c), (n, 1))
-    values, at_upper = np.zeros((n, r)), np.zeros((n, c), dtype=np.bool_)
-    result, active = np.zeros(n, dtype=np.bool_), np.arange(n)
-    for step in range(1000 * (r + c)):
-        here, bland = np.arange(len(active)), step > HEURISTIC * (r + c)
-        lack = np.take_along_axis(lower, left, 1) - values
-        excess = values - np.take_along_axis(upper, left, 1)
-        wrong = np.maximum(lack, excess)
-        row = np.where(wrong > TINY, -left if bland else wrong, -np.inf).argmax(axis=1)
-        done = wrong[here, row] <= TINY
-        result[active[done]] = True
-        # An independent variable lies at one of its bounds; it can move away from it, not beyond.
-        rising = lack[here, row] > 0
-        gain = np.where(at_upper ^ rising[:, None], 1, -1) * table[here, row]
-        column = np.where(gain > TINY, -right if bland else gain, -np.inf).argmax(axis=1)
-        go = np.flatnonzero(~done & (gain[here, column] > TINY))
-        if not len(go):
-            return result
-        state = (table, lower, upper, values, left, right, at_upper, active, row, column, rising)
-        table, lower, upper, values, left, right, at_upper, active, row, column, rising = (x[go] for x in state)
-        here, need = here[: len(go)], np.where(rising, lack[go, row], -excess[go, row])
-        line, entries = table[here, row], table[here, :, column]
-        pivot = line[here, column]
-        line = -line / pivot[:, None]
-        line[here, column] = 1 / pivot
-        table[here, :, column] = 0
-        table += entries[:, :, None] * line[:, None, :]
-        table[here, row] = line
-        entering, leaving = right[here, column], left[here, row]
-        bound = np.where(at_upper[here, column], upper[here, entering], lower[here, entering])
-        values += entries * (need / pivot)[:, None]
-        values[here, row] = bound + need / pivot
-        left[here, row], right[here, column], at_upper[here, column] = entering, leaving, ~rising
-    raise AssertionError("the simplex method does not end")
 
 
 def _vector(given: ArrayLike, d: int, what: str) -> Floats:

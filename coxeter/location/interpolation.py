@@ -1,8 +1,8 @@
 """Functions that are linear on each simplex: their values at points, and the adjoint, which is splatting.
 
-Both are a sparse matrix with d + 1 entries in a row, the barycentric coordinates of a point: times the values at
-the vertices, and transposed. So are the slicing and the splatting of the permutohedral lattice, which is A~
-(Adams, Baek and Davis, *Fast High-Dimensional Filtering Using the Permutohedral Lattice*, 2010).
+Both are a sparse matrix with d + 1 entries in a row, the barycentric coordinates of a point: times the values
+at the vertices, and transposed. So are the slicing and the splatting of the permutohedral lattice, which is
+A~ (Adams, Baek and Davis, *Fast High-Dimensional Filtering Using the Permutohedral Lattice*, 2010).
 """
 
 from __future__ import annotations
@@ -35,7 +35,7 @@ class Vertices:
     grid
         Whose.
     keys
-        For each a row of integers, equal exactly when the vertices are: its coordinates as those of the roots,
+        For each a row of integers, equal exactly when the vertices are: in the coordinates of the roots,
         times `Grid.vertex_unit`. They are in lexicographic order.
     labels
         The labels, 0 to d.
@@ -51,7 +51,8 @@ class Vertices:
     @cached_property
     def positions(self) -> Floats:
         """Where they lie, shape (n, d)."""
-        return self.grid.frame.outward((self.keys / self.grid.vertex_unit).astype(np.float64))
+        points: Floats = (self.keys / self.grid.vertex_unit).astype(np.float64)
+        return self.grid.frame.outward(points)
 
 
 Function = Callable[[Floats], ArrayLike]

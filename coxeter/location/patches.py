@@ -26,8 +26,8 @@ def patch_of(grid: Grid, keys: Ints, oriented: bool = False) -> Mesh:
 def patch_in(found: Search, oriented: bool = False) -> Mesh:
     """The mesh of the simplices that meet a region.
 
-    In stars, the number of a vertex is that of vertex 0 plus one that belongs to the star. So vertices are told
-    apart, exactly, without being looked at.
+    In stars, the number of a vertex is that of vertex 0 plus one that belongs to the star. So vertices are
+    told apart, exactly, without being looked at.
     """
     grid, few = found.grid, found.few()
     if few is not None:

@@ -1,16 +1,16 @@
 """What lies in a box or a ball: simplices and vertices.
 
-Why spreading from neighbour to neighbour finds all simplices that meet a compact convex set K. Take two of them, a
-point of each in K, and next to these, at most ε away, points inside the two simplices such that the segment between
-misses all faces of codimension 2. It runs through simplices one of which is the neighbour of the next, and crosses
-each facet at most ε away from K. There are finitely many facets near K, so those that come that near for all ε > 0
-meet K. All simplices on the way have such a facet, or are one of the two: they meet K.
+Why spreading from neighbour to neighbour finds all simplices that meet a compact convex set K. Take two of
+them, a point of each in K, and next to these, at most ε away, points inside the two simplices such that the
+segment between misses all faces of codimension 2. It runs from neighbour to neighbour, and crosses each facet
+at most ε away from K. There are finitely many facets near K, so those that come that near for all ε > 0 meet
+K. Each simplex on the way has such a facet, or is one of the two: it meets K.
 
-A larger patch is made of *stars*. Vertex 0 of each simplex is a vector of the coroot lattice L, and the simplices
-round a vector are those round 0, one for each element of the Weyl group, moved by it. Neighbours have the same
-vertex 0, or across facet 0 one that differs by a coroot of the orbit of that of the highest root. So by what was
-shown, steps by these lead to all lattice vectors that are vertex 0 of a simplex which meets K, even if none are left
-but such as are no farther from K than the longest edge at vertex 0.
+A larger patch is made of *stars*. Vertex 0 of each simplex is a vector of the coroot lattice L; the simplices
+round a vector are those round 0, one for each element of the Weyl group, moved by it. Neighbours have the
+same vertex 0, or across facet 0 one that differs by an image of the coroot of the highest root. By what was
+shown, steps by these lead to all vectors that are vertex 0 of a simplex that meets K, also if only such
+vectors may be entered as are no farther from K than the longest edge at vertex 0.
 """
 
 from __future__ import annotations
@@ -23,7 +23,8 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from ..errors import InvalidInput
-from .convex import SLACK, Flags, Floats, Region, meets
+from .convex import SLACK, Region, meets
+from .feasible import Flags, Floats
 from .rows import codes, distinct, flood, in_order
 from .subgroups import Ints
 
@@ -47,9 +48,9 @@ class Star:
     keys
         Those of the n simplices.
     points, corners
-        Their vertices, each once, times the unit; and which are those of a simplex, shape (n, d + 1), by labels.
+        Their vertices, each once, times the unit; and which of them a simplex has, shape (n, d + 1).
     normals, sides
-        The gradients of their barycentric coordinates in R^d, each once; and which are those of a simplex.
+        The gradients of their barycentric coordinates in R^d, each once; and which a simplex has.
     """
 
     keys: Ints
@@ -72,7 +73,8 @@ def star_of(grid: Grid) -> Star:
 def gradients_of(grid: Grid, corners: Floats) -> Floats:
     """The gradients (n, d + 1, d) of the barycentric coordinates of simplices given by their corners.
 
-    As the sum of gradient_k ⊗ corner_k is the identity, gradient_j is the sum of <gradient_j, gradient_k> corner_k.
+    As the sum of gradient_k ⊗ corner_k is the identity, gradient_j is that of <gradient_j, gradient_k>
+    corner_k.
     """
     gram = grid.triangulation._gradient_gram
     matrix = (gram.numerators / gram.denominator).astype(np.float64) / grid.frame.scale**2
@@ -105,7 +107,7 @@ def orbit(grid: Grid, row: Ints, unit: int, same: Callable[[Ints], Ints] | None 
     return found
 
 
-# -- searching ------------------------------------------------------------------------------------------------
+# -- searching ----------------------------------------------------------------------------------------------
 
 
 @dataclass(frozen=True, eq=False)
@@ -140,7 +142,7 @@ class Search:
         return np.asarray(self.grid._star.keys[simplices] + moved[vectors])
 
     def lattice(self) -> Ints:
-        """The vectors of L, times the unit, near the region: all that are vertex 0 of a simplex that meets it."""
+        """Vectors of L, times the unit: all that are vertex 0 of a simplex meeting the region, and more."""
         grid, unit = self.grid, self.grid.vertex_unit
         steps = orbit(grid, grid._subgroup.wall(0).reflect(0 * grid._centre, unit), unit)
         edges = np.linalg.norm(grid.frame.turned(grid._corners / unit), axis=1)
@@ -178,10 +180,11 @@ class Search:
 
     def _place(self, rows: Ints) -> Floats:
         """Where vectors (times the unit) lie, seen from the centre of the region."""
-        return self.grid.frame.outward(rows / self.grid.vertex_unit) - self.region.centre
+        places: Floats = self.grid.frame.outward(rows / self.grid.vertex_unit) - self.region.centre
+        return places
 
     def _around(self, keys: Ints) -> Ints:
-        return self.grid.neighbours(keys).reshape(-1, keys.shape[1])
+        return np.reshape(self.grid.neighbours(keys), (-1, keys.shape[1]))
 
     def _meets(self, keys: Ints) -> Flags:
         corners = self._place(self.grid.corners(keys))
@@ -223,7 +226,7 @@ def search(grid: Grid, region: Region) -> Search:
     volume = float(grid.triangulation.simplex.volume) * grid.frame.scale**grid.dimension
     if (count := region.volume / volume) > LARGEST_ANSWER:
         raise InvalidInput(
-            f"the region is as large as {count:.3g} simplices: too many to hold; take parts of it, or a larger scale"
+            f"the region is as large as {count:.3g} simplices: too many to hold; take parts of it"
         )
     largest = np.abs(region.centre).max() + region.reach(np.eye(grid.dimension)).max()
     offset = 0.0 if grid.frame.offset is None else np.abs(grid.frame.offset).max()

@@ -18,8 +18,8 @@ LARGEST = 2**62
 def codes(rows: NDArray[Any]) -> Ints:
     """A number for each row (n, c), in lexicographic order: equal for equal rows, else different.
 
-    The digits of the number are the columns. Where there is no room for one more, the number so far is replaced
-    by its rank.
+    The digits of the number are the columns. Where there is no room for one more, the number so far is
+    replaced by its rank.
 
     >>> import numpy as np
     >>> codes(np.array([[3, 5], [2, 9], [3, 5]])).tolist()
@@ -66,7 +66,7 @@ def numbered(code: Ints) -> tuple[Ints, Ints]:
 
 
 def distinct(rows: NDArray[Any]) -> tuple[NDArray[Any], Ints]:
-    """The different ones of many rows (..., c), in lexicographic order, and for each row the place of its like."""
+    """The different ones of many rows (..., c), in lexicographic order, and each row's place among them."""
     flat = rows.reshape(-1, rows.shape[-1])
     different, places = numbered(codes(flat))
     found = np.empty((len(different), flat.shape[1]), dtype=rows.dtype)
