@@ -54,3 +54,10 @@ def same_grid(program: Path, d: int, folder: Path) -> Grid:
     ours = Grid(f"A~{d}").locate(np.full((1, d), 0.01)).vertices[0] * np.sqrt(2)
     linear = np.linalg.solve(ours[1:] - ours[0], theirs[1:] - theirs[0]).T
     return Grid(f"A~{d}", scale=float(np.sqrt(2)), rotation=linear)
+
+
+def versions() -> dict[str, str]:
+    """Of the compiler and of GUDHI, as its headers or the system's packages tell."""
+    compiler = subprocess.run(["g++", "-dumpfullversion"], capture_output=True, text=True, check=True).stdout.strip()
+    asked = subprocess.run(["dpkg-query", "-W", "-f=${Version}", "libgudhi-dev"], capture_output=True, text=True)
+    return {"g++": f"{compiler} -O3", "GUDHI": asked.stdout.strip() or "unknown"}
