@@ -58,6 +58,10 @@ def same_grid(program: Path, d: int, folder: Path) -> Grid:
 
 def versions() -> dict[str, str]:
     """Of the compiler and of GUDHI, as its headers or the system's packages tell."""
-    compiler = subprocess.run(["g++", "-dumpfullversion"], capture_output=True, text=True, check=True).stdout.strip()
-    asked = subprocess.run(["dpkg-query", "-W", "-f=${Version}", "libgudhi-dev"], capture_output=True, text=True)
+    compiler = subprocess.run(
+        ["g++", "-dumpfullversion"], capture_output=True, text=True, check=True
+    ).stdout.strip()
+    asked = subprocess.run(
+        ["dpkg-query", "-W", "-f=${Version}", "libgudhi-dev"], capture_output=True, text=True
+    )
     return {"g++": f"{compiler} -O3", "GUDHI": asked.stdout.strip() or "unknown"}

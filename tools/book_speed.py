@@ -39,7 +39,10 @@ class SpeedDirective(SphinxDirective):
     def run(self) -> list[nodes.Node]:
         self.env.note_dependency(str(RESULTS))
         made = PARTS[self.arguments[0]](json.loads(RESULTS.read_text(encoding="utf-8")))
-        return [nodes.raw("", made, format="html"), nodes.raw("", "A table of the book's pages.", format="latex")]
+        return [
+            nodes.raw("", made, format="html"),
+            nodes.raw("", "A table of the book's pages.", format="latex"),
+        ]
 
 
 def machine(found: Results) -> str:
@@ -72,7 +75,9 @@ def exponents(found: Results) -> str:
         ends = [row for row in found["growth"] if row["family"] == family and row["d"] in (100, 1000)]
         rows.append((f"{family}~", *(f"{exponent(ends, route):.2f}" for route in ("ours", "numpy"))))
     wanted = math.log10(10 * math.log(1000) / math.log(100))
-    return table(("family", "with Numba", "NumPy alone"), [*rows, ("d log d", f"{wanted:.2f}", f"{wanted:.2f}")])
+    return table(
+        ("family", "with Numba", "NumPy alone"), [*rows, ("d log d", f"{wanted:.2f}", f"{wanted:.2f}")]
+    )
 
 
 def exponent(ends: list[Results], route: str) -> float:
@@ -130,7 +135,8 @@ def growth_curves(rows: list[Results]) -> Figure[Any]:
         for route in ("ours", "numpy")
     }
     words = "; ".join(
-        f"{f}~, {'Numba' if route == 'ours' else 'NumPy'}: " + ", ".join(f"{y:.3g} at d={d}" for d, y in points)
+        f"{f}~, {'Numba' if route == 'ours' else 'NumPy'}: "
+        + ", ".join(f"{y:.3g} at d={d}" for d, y in points)
         for (f, route), points in data.items()
     )
     title = "Microseconds a point against the dimension"

@@ -1,7 +1,7 @@
 """The simplices within the fundamental simplex of the subgroup, and a search tree over their walls.
 
-No wall cuts a simplex, so it has each simplex on one side: a few sides decide which simplex holds a point. The
-levels of the walls of a simplex are integer linear forms; those of its neighbours follow by Cartan integers.
+No wall cuts a simplex, so it has each simplex on one side: a few sides decide which simplex holds a point.
+The levels of the walls of a simplex are integer linear forms; those of its neighbours follow by Cartan integers.
 """
 
 from __future__ import annotations
@@ -88,7 +88,7 @@ def cells_of(subgroup: Subgroup) -> Cells:
     cartan, forms, corners, scale, unit = _first(subgroup)
 
     def centres(corners: Ints) -> Ints:
-        return marks @ corners // marks.sum()
+        return np.asarray(marks @ corners // marks.sum())
 
     x, how = sort_parts(subgroup, centres(corners).T, unit)
     forms, corners = _carry(how, forms, corners, unit)
@@ -134,6 +134,7 @@ def extended_cartan_matrix(triangulation: CoxeterTriangulation) -> Ints:
 
 def _carry(how: Sorting, forms: Ints, corners: Ints, unit: int) -> tuple[Ints, Ints]:
     """Forms and corners of one simplex, carried as its centre was by sorting."""
+    assert how.signs is not None
     places, shift, signs = (a[:, 0] for a in (how.places, how.shift, how.signs))
     back = np.argsort(places)
     constants = forms[..., -1] + forms[..., :-1] @ shift

@@ -9,8 +9,8 @@ coordinates of all images are integers too. What folds a point carries the funda
 simplex that holds the point.
 
 Points on walls. For the classical families a point belongs to the simplex that holds x + (ε, ε², …) for all
-small ε > 0, in the coordinates of the roots. For the others step 2 follows that rule in the coordinates y; and
-of the simplices in step 3 a point on their walls belongs to the one that holds x + (ε, ε², …), where x is the
+small ε > 0, in the coordinates of the roots. For the others step 2 follows that rule in the coordinates y;
+and of the simplices in step 3 a point on their walls belongs to the one that holds x + (ε, ε², …), where x is the
 sorted point.
 """
 
@@ -31,7 +31,7 @@ Points = NDArray[Any]
 
 @dataclass(frozen=True)
 class Folded:
-    """Points of the subgroup's fundamental simplex as columns, the cells that hold them, and how they came."""
+    """Points of the subgroup's fundamental simplex as columns, their cells, and how they came."""
 
     subgroup: Subgroup
     cells: Cells | None

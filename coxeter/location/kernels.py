@@ -1,7 +1,7 @@
 """The same folding, compiled by Numba, point by point: the same keys, and coordinates that differ in no more
 than the last bits of a sum.
 
-Numba is optional; without it the NumPy code does all the work. Kinds are numbers here: A, B, C, D are 0, 1, 2, 3.
+Numba is optional; without it NumPy does all the work. Kinds are numbers here: A, B, C, D are 0 to 3.
 """
 
 from __future__ import annotations
@@ -21,7 +21,7 @@ GROUP = 16
 
 @njit(cache=True, inline="always")
 def rank(order: Any, begin: int, sizes: Any, bounds: Any, c: int) -> None:
-    """Indices by sizes, the greatest first, as `sorting._rank`: each counts those before it, without branches."""
+    """Indices by sizes, the greatest first, as `sorting._rank`: each counts those before it, branchless."""
     for i in range(c):
         size, bound, before = sizes[i], bounds[i], 0
         for j in range(i):

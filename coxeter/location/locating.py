@@ -51,7 +51,7 @@ class Locator:
     def shares_of_centre(self) -> Ints:
         """The barycentric coordinates m_k / h, times the unit of keys."""
         marks = np.array(self.subgroup.triangulation.marks)
-        return marks * (self.key_unit // marks.sum())
+        return np.asarray(marks * (self.key_unit // marks.sum()))
 
     def rounded(self, y: Floats, lengths: Floats | None, found: Found) -> None:
         """For floats (n, c); or (n, d), in Helmert's coordinates of A~d, if his lengths are given."""
@@ -90,8 +90,8 @@ class Locator:
 
 
 def settle(shares: Floats, bounds: Floats) -> tuple[Floats, NDArray[np.bool_]]:
-    """Barycentric coordinates (n, d + 1), from columns, without what rounding left below zero; and which points
-    are too close to tell."""
+    """Barycentric coordinates (n, d + 1), from columns, without what rounding left below zero; which
+    points are too close to tell."""
     near = shares.min(axis=0, initial=1.0) <= bounds
     shares = np.maximum(shares, 0.0)
     return (shares / shares.sum(axis=0)).T, near

@@ -31,7 +31,9 @@ class Sorting:
         """Carry one of the points (cells, c) back, for each column the chosen one."""
         where = self.places if chosen is None else self.places + chosen * len(self.places)
         back: Points = np.take(images, where)
-        return (back if self.signs is None else back * self.signs) + self.shift * unit
+        if self.signs is not None:
+            back = back * self.signs
+        return np.asarray(back + self.shift * unit)
 
 
 def sort(kind: str, y: Points, unit: Any) -> tuple[Points, Sorting]:
@@ -48,7 +50,7 @@ def sort_parts(subgroup: Subgroup, y: Points, unit: Any) -> tuple[Points, Sortin
     """The same for each part of a subgroup, at once."""
     parts = [(part.start, *sort(part.kind, y[part.columns], unit)) for part in subgroup.parts]
     if subgroup.classical:
-        return parts[0][1:]
+        return parts[0][1], parts[0][2]
     x, places, shift = (
         np.concatenate(arrays)
         for arrays in zip(*((x, how.places + start, how.shift) for start, x, how in parts), strict=True)
@@ -91,7 +93,7 @@ def _signed(y: Points, unit: Any, kind: str) -> tuple[Points, NDArray[np.intp], 
 
 
 def _rank(sizes: Points, bounds: Points) -> NDArray[np.integer[Any]]:
-    """How many come before each: i before a later j if bounds[i] > sizes[j], where bounds are sizes, or one more.
+    """How many come before each: i before a later j if bounds[i] > sizes[j]; bounds are sizes, or one more.
 
     So equal sizes keep their order where bounds are one more, and change it where not.
     """

@@ -1,9 +1,9 @@
 """The reflection subgroup that rounding and sorting take care of.
 
-Each affine Weyl group contains one of classical type and full rank: strike out a node of the extended diagram,
-and what is left is made of classical diagrams (Borel and de Siebenthal). In the coordinates y of their roots
-folding is rounding and sorting. The fundamental simplex of the subgroup is cut into few simplices of the whole
-group, `cells`: |W| / |W'| times the index of the coroot lattices.
+Each affine Weyl group contains one of classical type and full rank: strike out a node of the extended
+diagram, and what is left is made of classical diagrams (Borel and de Siebenthal). In the coordinates y of their roots
+folding is rounding and sorting. The fundamental simplex of the subgroup is cut into few simplices of the
+whole group, `cells`: |W| / |W'| times the index of the coroot lattices.
 
 =======  ==============  ================  =====
 family   subgroup        node struck out   cells
@@ -80,7 +80,7 @@ class Subgroup:
     @cached_property
     def width(self) -> int:
         """The number of coordinates y."""
-        return self.parts[-1].columns.stop
+        return int(self.parts[-1].columns.stop)
 
     def wall(self, k: int) -> Wall:
         """The wall of node k."""
@@ -98,7 +98,7 @@ class Subgroup:
 
     @cached_property
     def outward(self) -> tuple[Ints, int]:
-        """z = y · matrix: the sum of <y, root> · coweight, the roots of the parts in their own coordinates."""
+        """z = y · matrix: the sum of <y, root> · coweight, with roots in y and coweights in z."""
         return _over(sum(np.multiply.outer(y, w) for _, w, y, _ in self._bases))
 
     def into(self, z: NDArray[Any]) -> NDArray[Any]:
@@ -133,7 +133,7 @@ def _roots_of(kind: str, rank: int) -> tuple[NDArray[Any], NDArray[Any]]:
 
 
 def _fractions(matrix: Any) -> NDArray[Any]:
-    return np.asarray(matrix.numerators, dtype=object) * Fraction(1, matrix.denominator)
+    return np.asarray(np.asarray(matrix.numerators, dtype=object) * Fraction(1, matrix.denominator))
 
 
 def _over(matrix: Any) -> tuple[Ints, int]:
