@@ -47,8 +47,9 @@ def vertices(program: Path, points: np.ndarray, folder: Path) -> np.ndarray:
 def same_grid(program: Path, d: int, folder: Path) -> Grid:
     """Our grid that has the same simplices.
 
-    GUDHI lists the vertices of a simplex in the cyclic order of their labels, so the isometry that carries one
-    of our simplices to one of theirs carries all simplices to theirs. Their edges are sqrt(2) times ours.
+    GUDHI lists the vertices of a simplex in the cyclic order of their labels, so the isometry that carries
+    one of our simplices to one of theirs carries all simplices to theirs. Their edges are sqrt(2) times
+    ours.
     """
     theirs = vertices(program, np.full((1, d), 0.1234) ** np.arange(1, d + 1), folder)[0]
     ours = Grid(f"A~{d}").locate(np.full((1, d), 0.01)).vertices[0] * np.sqrt(2)

@@ -2,10 +2,10 @@
 
     python benchmarks/locate.py [--quick] [-o results.json]
 
-All that is compared is timed in turn, in seconds of the processor, several times over, and ratios are those of
-the medians: so a machine that is busy now and then does not favour either. Only Dask's two workers have two cores,
-and are timed by the clock on the wall. The book's page *Speed* is made
-from the file that is written.
+All that is compared is timed in turn, in seconds of the processor, several times over, and ratios are those
+of the medians: so a machine that is busy now and then does not favour either. Only Dask's two workers have
+two cores, and are timed by the clock on the wall. The book's page *Speed* is made from the file that is
+written.
 """
 
 import os
@@ -84,7 +84,7 @@ def points_in(d: int, n: int, seed: int = 0) -> np.ndarray:
     return np.random.default_rng(seed).normal(size=(n, d)) * 10
 
 
-# -- what is measured ---------------------------------------------------------------------------------------------
+# -- what is measured ------------------------------------------------------------
 
 
 def against_gudhi(n: int, repeats: int) -> list[dict]:
@@ -236,7 +236,7 @@ def on_dask(n: int, repeats: int, block: int = 1 << 16) -> dict:
     return row
 
 
-# -- the run --------------------------------------------------------------------------------------------------------
+# -- the run ------------------------------------------------------------
 
 
 def show(what: str, row: dict, slow: str, fast: str) -> None:

@@ -1,7 +1,7 @@
 """The page *Speed*: what `benchmarks/locate.py` wrote, as sentences, tables and a picture.
 
-``:::{speed} gudhi`` shows a part of ``benchmarks/results.json``; the parts are the functions in `PARTS`. No number
-on the page comes from anywhere else.
+``:::{speed} gudhi`` shows a part of ``benchmarks/results.json``; the parts are the functions in `PARTS`. No
+number on the page comes from anywhere else.
 """
 
 from __future__ import annotations
@@ -106,16 +106,17 @@ def patches(found: Results) -> str:
 def large(found: Results) -> str:
     file, mega = found["file"], 1e6
     said = (
-        f"<p>{file['name']}, {file['points']:,} points in a file of {file['file_bytes'] / mega:.0f} MB, in chunks of "
-        f"{file['chunk']:,}: memory grew by {file['chunks']['bytes'] / mega:.0f} MB in "
-        f"{file['chunks']['seconds']:.1f} s; {file['chunk'] * file['bytes_a_point'] / mega:.0f} MB are what a chunk "
-        f"needs, and pages of the file that was read count too. All at once it grew by "
+        f"<p>{file['name']}, {file['points']:,} points in a file of {file['file_bytes'] / mega:.0f} MB, "
+        f"in chunks of {file['chunk']:,}: memory grew by {file['chunks']['bytes'] / mega:.0f} MB in "
+        f"{file['chunks']['seconds']:.1f} s; {file['chunk'] * file['bytes_a_point'] / mega:.0f} MB are what "
+        f"a chunk needs, and pages of the file that was read count too. All at once it grew by "
         f"{file['whole']['bytes'] / mega:.0f} MB in {file['whole']['seconds']:.1f} s.</p>"
     )
     if dask := found["dask"]:
         said += (
-            f"<p>Dask, {dask['name']}, {dask['points']:,} points in blocks of {dask['block']:,}, on {dask['cores']} "
-            f"cores: one worker {dask['one']['median']:.2f} s, two workers {dask['two']['median']:.2f} s, "
+            f"<p>Dask, {dask['name']}, {dask['points']:,} points in blocks of {dask['block']:,}, "
+            f"on {dask['cores']} cores: one worker {dask['one']['median']:.2f} s, "
+            f"two workers {dask['two']['median']:.2f} s, "
             f"{ratio(dask, 'one', 'two')} times as fast.</p>"
         )
     return said
@@ -183,6 +184,6 @@ def table(head: Iterable[str], rows: Iterable[tuple[object, ...]]) -> str:
 
 
 PARTS: dict[str, Callable[[Results], str]] = {
-    "machine": machine, "gudhi": against_gudhi, "families": families, "curves": curves, "exponents": exponents,
-    "vertices": vertices, "patches": patches, "large": large,
+    "machine": machine, "gudhi": against_gudhi, "families": families, "curves": curves,
+    "exponents": exponents, "vertices": vertices, "patches": patches, "large": large,
 }  # fmt: skip

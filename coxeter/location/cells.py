@@ -1,7 +1,8 @@
 """The simplices within the fundamental simplex of the subgroup, and a search tree over their walls.
 
 No wall cuts a simplex, so it has each simplex on one side: a few sides decide which simplex holds a point.
-The levels of the walls of a simplex are integer linear forms; those of its neighbours follow by Cartan integers.
+The levels of the walls of a simplex are integer linear forms; those of its neighbours follow by Cartan
+integers.
 """
 
 from __future__ import annotations

@@ -10,8 +10,8 @@ simplex that holds the point.
 
 Points on walls. For the classical families a point belongs to the simplex that holds x + (ε, ε², …) for all
 small ε > 0, in the coordinates of the roots. For the others step 2 follows that rule in the coordinates y;
-and of the simplices in step 3 a point on their walls belongs to the one that holds x + (ε, ε², …), where x is the
-sorted point.
+and of the simplices in step 3 a point on their walls belongs to the one that holds x + (ε, ε², …), where x
+is the sorted point.
 """
 
 from __future__ import annotations

@@ -101,9 +101,9 @@ class Grid(Alcoves):
         Parameters
         ----------
         points
-            An array (n, d) of floats, or a Dask array of them, for which the answer consists of Dask arrays; or
-            exact numbers (integers, fractions) in the coordinates of the roots,
-            for which the answer is exact, if the grid has neither scale, rotation nor offset.
+            An array (n, d) of floats, or a Dask array of them, for which the answer consists of Dask arrays;
+            or exact numbers (integers, fractions) in the coordinates of the roots, for which the answer is
+            exact, if the grid has neither scale, rotation nor offset.
 
         Raises
         ------
@@ -129,8 +129,8 @@ class Grid(Alcoves):
     def locate_chunks(self, points: ArrayLike, chunk: int = 1 << 16) -> Iterator[Location]:
         """Locate more points than fit in memory: one answer after the other, in order.
 
-        What is held at a time is what `locate` needs for a chunk: input, keys and barycentric coordinates, about
-        24 (d + 1) bytes a point, and a fixed amount for intermediate results.
+        What is held at a time is what `locate` needs for a chunk: input, keys and barycentric coordinates,
+        about 24 (d + 1) bytes a point, and a fixed amount for intermediate results.
 
         Parameters
         ----------
@@ -142,7 +142,8 @@ class Grid(Alcoves):
         Raises
         ------
         InvalidInput
-            As `locate`, once the chunk's turn comes, with rows counted within it; or if the chunk is not positive.
+            As `locate`, once the chunk's turn comes, with rows counted within it; or if the chunk is not
+            positive.
 
         Examples
         --------

@@ -1,9 +1,9 @@
 """The reflection subgroup that rounding and sorting take care of.
 
 Each affine Weyl group contains one of classical type and full rank: strike out a node of the extended
-diagram, and what is left is made of classical diagrams (Borel and de Siebenthal). In the coordinates y of their roots
-folding is rounding and sorting. The fundamental simplex of the subgroup is cut into few simplices of the
-whole group, `cells`: |W| / |W'| times the index of the coroot lattices.
+diagram, and what is left is made of classical diagrams (Borel and de Siebenthal). In the coordinates y of
+their roots folding is rounding and sorting. The fundamental simplex of the subgroup is cut into few
+simplices of the whole group, `cells`: |W| / |W'| times the index of the coroot lattices.
 
 =======  ==============  ================  =====
 family   subgroup        node struck out   cells
