@@ -231,3 +231,101 @@ def test_very_large_dimension():
         grid = Grid(name)
         found = grid.locate(np.random.default_rng(4).normal(size=(3, 1000)))
         assert np.allclose(found.barycentric.sum(axis=1), 1)
+
+
+# -- exact points, however large ----------------------------------------------------------------------------
+
+
+@pytest.mark.parametrize("name", ["A~3", "B~3", "C~4", "D~4", "E~6", "E~7", "E~8", "F~4", "G~2"])
+@pytest.mark.parametrize("power", [60, 200])
+def test_huge_exact_points(name, power):
+    """Moved by a huge vector of the coroot lattice, everything is as it was."""
+    t, grid = triangulation(name), Grid(name)
+    weights = t.roots.fundamental_coweights
+    rng = np.random.default_rng(5)
+    row = rng.integers(1, 50, t.dimension).astype(object) @ weights.numerators.astype(object)
+    point = np.array([[Fraction(int(x), 101 * weights.denominator) for x in row]], dtype=object)
+    coroot = grid._subgroup.wall(0).reflect(0 * grid._centre, 12)
+    shift = np.array([Fraction(int(x) * 2**power, 12) for x in coroot], dtype=object)
+    near, far = grid.locate(point), grid.locate(point + shift)
+    assert (near.barycentric == far.barycentric).all()
+    assert (far.keys == near.keys + shift * grid.key_unit).all()
+    assert (grid.corners(far.keys) == grid.corners(near.keys) + shift * grid.vertex_unit).all()
+    assert (grid.neighbours(far.keys) == grid.neighbours(near.keys) + shift * grid.key_unit).all()
+    moved = grid.frame.outward(shift.astype(np.float64))
+    assert np.abs(far.vertices - moved).max() < 1e-9 * np.abs(moved).max()
+    if t.dimension < 6:
+        assert len(grid.star(far.keys[0], 1)) == len(grid.star(near.keys[0], 1))
+
+
+def test_fractions_with_huge_denominators(name):
+    """Units too large for machine integers, in every step of folding: as the core folds."""
+    t, grid = triangulation(name), Grid(name)
+    weights = t.roots.fundamental_coweights
+    factors = np.random.default_rng(8).integers(-(2**62), 2**62, (6, t.dimension)).astype(object)
+    rows = factors @ weights.numerators.astype(object)
+    points = np.array([[Fraction(int(x), 3**39 * weights.denominator) for x in row] for row in rows])
+    found = grid.locate(points)
+    for point, shares in zip(points, found.barycentric, strict=True):
+        assert tuple(shares) == t.fold(point).barycentric
+    near = np.array([[2.0**-70] * grid.dimension])  # a float so close to a wall is decided as a fraction
+    assert np.isclose(grid.locate(near).barycentric.sum(), 1)
+
+
+def test_keys_may_be_any_integers():
+    grid = Grid("B~3")
+    keys = grid.locate(some_points("B~3", 5)).keys
+    expected = grid.vertices(keys)
+    for other in (keys.tolist(), keys.astype(np.int32), keys.astype(object), keys[::-1][::-1]):
+        assert (grid.vertices(other) == expected).all()
+    assert grid.vertices(np.empty((0, 3), dtype=np.int64)).shape == (0, 4, 3)
+    with pytest.raises(InvalidInput, match="rows of 3 integers"):
+        grid.vertices(keys * 1.0)
+    with pytest.raises(InvalidInput, match="no key"):
+        grid.vertices(keys.astype(object) + 2**70 + 1)
+
+
+def test_many_chunks_of_keys_are_one_answer(monkeypatch):
+    grid = Grid("F~4")
+    keys = grid.locate(some_points("F~4", 300)).keys
+    whole = grid.vertices(keys)
+    monkeypatch.setattr("coxeter.location.alcoves.CHUNK", 64)
+    assert (grid.vertices(keys) == whole).all()
+
+
+def test_the_first_coordinates_fix_the_others(name):
+    """Where roots have more than d coordinates; patches tell vertices apart by the first d."""
+    simple = triangulation(name).roots.simple_roots
+    assert np.linalg.matrix_rank(simple.numerators[:, : triangulation(name).dimension].astype(float)) == len(
+        simple.numerators
+    )
+
+
+# -- by the inequalities of the roots -----------------------------------------------------------------------
+
+
+def test_a_point_lies_between_the_mirrors_of_its_simplex(name):
+    """The definition: no mirror <x, r> = k separates a point from the centre of its simplex."""
+    t, grid = triangulation(name), Grid(name)
+    roots = t.roots.positive_roots.numerators / t.roots.positive_roots.denominator
+    for spread in (3.0, 1e6):
+        points = some_points(name, 100, spread, seed=6)
+        found = grid.locate(points)
+        inner = grid.frame.inward(points) @ roots.T
+        centres = (found.keys / grid.key_unit) @ roots.T
+        low = np.floor(centres)
+        assert (centres - low > 1e-9).all()
+        assert (inner >= low - 1e-7).all()
+        assert (inner <= low + 1 + 1e-7).all()
+
+
+def test_near_a_wall_on_the_right_side_of_it(name):
+    """A little off the middle of a facet the point lies in the simplex, or in the neighbour."""
+    grid = Grid(name)
+    found = grid.locate(some_points(name, 20, 50.0, seed=7))
+    across = grid.neighbours(found.keys)
+    for k in range(grid.dimension + 1):
+        middle = np.delete(found.vertices, k, axis=1).mean(axis=1)
+        way = found.vertices[:, k] - middle
+        assert (grid.locate(middle + 1e-9 * way).keys == found.keys).all()
+        assert (grid.locate(middle - 1e-9 * way).keys == across[:, k]).all()

@@ -33,7 +33,7 @@ def rows(keys):
     return set(map(tuple, keys.tolist()))
 
 
-# -- brute force ------------------------------------------------------------------------------------------------
+# -- brute force --------------------------------------------------------------------------------------------
 
 
 @pytest.fixture(scope="module")
@@ -116,7 +116,7 @@ def test_a_ball_meets_what_it_meets_exactly(around, name, centre, radius):
     assert rows(grid.alcoves_in_ball(middle, radius)) == expected
 
 
-# -- other routes -----------------------------------------------------------------------------------------------
+# -- other routes -------------------------------------------------------------------------------------------
 
 
 @pytest.mark.parametrize("name", TURNED)
@@ -198,7 +198,7 @@ def test_a_ball_of_no_radius_at_a_vertex_holds_its_star(name):
     assert (grid.alcoves_in_box(origin, origin) == grid.star(grid._centre, 0)).all()
 
 
-# -- vertices ---------------------------------------------------------------------------------------------------
+# -- vertices -----------------------------------------------------------------------------------------------
 
 
 @pytest.mark.parametrize("name", [*TURNED, "A~4", "C~4", "E~6"])
@@ -223,7 +223,7 @@ def test_vertices_on_the_boundary_count():
     assert len(found) == 1 + 24 + 32 + 24
 
 
-# -- patches ----------------------------------------------------------------------------------------------------
+# -- patches ------------------------------------------------------------------------------------------------
 
 
 @pytest.mark.parametrize("name", TURNED)
@@ -284,7 +284,7 @@ def test_a_patch_of_nothing_is_empty():
     assert mesh.cells.shape == (0, 4)
 
 
-# -- far out, and refusals --------------------------------------------------------------------------------------
+# -- far out, and refusals ----------------------------------------------------------------------------------
 
 
 @pytest.mark.parametrize("name", ["A~3", "C~3", "G~2"])
@@ -337,7 +337,7 @@ def test_bad_balls_are_refused(centre, radius, told):
             ask(centre, radius)
 
 
-# -- rows -------------------------------------------------------------------------------------------------------
+# -- rows ---------------------------------------------------------------------------------------------------
 
 numbers = st.one_of(st.integers(-3, 3), st.integers(-(10**30), 10**30))
 

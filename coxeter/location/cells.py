@@ -61,7 +61,7 @@ class Cells:
             y, unit = np.rint(y * FINEST), FINEST
         node = np.full(len(y), len(self.walls) - 1)
         for _ in range(self.depth):
-            wall = self.walls[node]
+            wall = self.walls[node].astype(y.dtype)
             level = (y * wall[:, :-1]).sum(axis=1) + wall[:, -1] * unit
             node = self.children[node, (level < 0).astype(np.int64)]
         return node
@@ -70,7 +70,7 @@ class Cells:
         """The barycentric coordinates of points (n, width) in their cells, times the unit."""
         columns = []
         for k, mark in enumerate(self.marks):
-            form = self.forms[cells, k]
+            form = self.forms[cells, k].astype(y.dtype)
             level = ((y * form[:, :-1]).sum(axis=1) + form[:, -1] * unit) * mark
             columns.append(level / self.scale if y.dtype.kind == "f" else level // self.scale)
         return np.stack(columns, axis=1)

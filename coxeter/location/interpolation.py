@@ -102,8 +102,8 @@ def interpolation_at(grid: Grid, points: ArrayLike) -> Interpolation:
     """The vertices of the simplices that hold points, and their shares."""
     found = grid.locate(points)
     n, c = found.barycentric.shape
-    keys, which = distinct(found.keys)
-    rows, corners = distinct(grid.corners(keys))
+    keys, which = distinct(found.keys, grid.dimension)
+    rows, corners = distinct(grid.corners(keys), grid.dimension)
     labels = np.empty(len(rows), dtype=np.int64)
     labels[corners] = np.arange(c)
     shares = found.barycentric.astype(np.float64).reshape(-1)

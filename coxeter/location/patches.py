@@ -16,8 +16,11 @@ if TYPE_CHECKING:
 
 
 def patch_of(grid: Grid, keys: Ints, oriented: bool = False) -> Mesh:
-    """The mesh of simplices given by their keys."""
-    points, cells = distinct(grid.corners(keys))
+    """The mesh of simplices given by their keys.
+
+    The first d coordinates of a root's span fix the others.
+    """
+    points, cells = distinct(grid.corners(keys), grid.dimension)
     labels = np.empty(len(points), dtype=np.int64)
     labels[cells] = np.arange(grid.dimension + 1)
     return _mesh(grid, points, labels, cells, oriented)
@@ -35,7 +38,7 @@ def patch_in(found: Search, oriented: bool = False) -> Mesh:
     lattice, vectors, simplices = found.stars()
     keys = found.keys_of(lattice, vectors, simplices)
     star, d = grid._star, grid.dimension
-    numbers = addends(lattice[:, :d], star.points[:, :d])  # the first d coordinates fix the others
+    numbers = addends(lattice[:, :d], star.points[:, :d])
     if numbers is None:
         return patch_of(grid, in_order(keys), oriented)
     order = np.argsort(codes(keys))

@@ -65,10 +65,13 @@ def numbered(code: Ints) -> tuple[Ints, Ints]:
     return different, places.reshape(code.shape)
 
 
-def distinct(rows: NDArray[Any]) -> tuple[NDArray[Any], Ints]:
-    """The different ones of many rows (..., c), in lexicographic order, and each row's place among them."""
+def distinct(rows: NDArray[Any], leading: int | None = None) -> tuple[NDArray[Any], Ints]:
+    """The different ones of many rows (..., c), in lexicographic order, and each row's place among them.
+
+    If so many leading columns fix the others, only they are looked at.
+    """
     flat = rows.reshape(-1, rows.shape[-1])
-    different, places = numbered(codes(flat))
+    different, places = numbered(codes(flat[:, :leading]))
     found = np.empty((len(different), flat.shape[1]), dtype=rows.dtype)
     found[places] = flat
     return found, places.reshape(rows.shape[:-1])
