@@ -289,7 +289,7 @@ def test_many_chunks_of_keys_are_one_answer(monkeypatch):
     grid = Grid("F~4")
     keys = grid.locate(some_points("F~4", 300)).keys
     whole = grid.vertices(keys)
-    monkeypatch.setattr("coxeter.location.alcoves.CHUNK", 64)
+    monkeypatch.setattr("coxeter.location.alcoves.NUMBERS", 64)
     assert (grid.vertices(keys) == whole).all()
 
 
