@@ -21,8 +21,8 @@ except ImportError:  # no Numba: the same answers from NumPy alone
 NO_LENGTHS = np.empty(0)
 
 
-def locate_compiled(locator: Locator, points: Any, lengths: Any, found: Found) -> Any:
-    """Write keys and barycentric coordinates, not yet settled, by the compiled code; returns the sizes.
+def locate_compiled(locator: Locator, points: Any, lengths: Any, factor: float, found: Found) -> Any:
+    """Write what is found by the compiled code; returns the sizes of the points.
 
     Where there is no Numba it returns None.
 
@@ -33,13 +33,16 @@ def locate_compiled(locator: Locator, points: Any, lengths: Any, found: Found) -
         carries there.
     lengths
         Those of the rows of Helmert's matrix, or None.
+    factor
+        What times a size is too close to a wall to tell.
     found
         Where to write.
     """
     if kernels is None:
         return None
     sizes = np.empty(len(points))
-    points, out = np.ascontiguousarray(points), (found.keys, found.barycentric, sizes)
+    points = np.ascontiguousarray(points)
+    out = factor, found.keys, found.barycentric, found.open, sizes
     if locator.cells is None:
         kind = "ABCD".index(locator.subgroup.parts[0].kind)
         given = NO_LENGTHS if lengths is None else lengths
@@ -69,8 +72,3 @@ def _tables(locator: Locator) -> tuple[Any, ...]:
         np.pad(outward, [(0, wide - n) for n in outward.shape]),
         below,
     )
-
-
-def settle_compiled(shares: Any, sizes: Any, factor: float, near: Any) -> None:
-    """As `locating.settle`, in place."""
-    kernels.settle(shares, sizes, factor, near)

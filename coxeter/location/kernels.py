@@ -1,7 +1,9 @@
-"""The same folding, compiled by Numba, point by point: the same keys, and coordinates that differ in no more
-than the last bits of a sum.
+"""The same folding, compiled by Numba: the same keys, and coordinates that differ in no more than the last bits
+of a sum.
 
-Numba is optional; without it NumPy does all the work. Kinds are numbers here: A, B, C, D are 0 to 3.
+Points go side by side, a block at a time, one coordinate after the other: so the innermost loops run over
+points, and become vector instructions. Numba is optional; without it NumPy does all the work. Kinds are numbers
+here: A, B, C, D are 0 to 3.
 """
 
 from __future__ import annotations
@@ -11,278 +13,304 @@ from typing import Any
 import numpy as np
 from numba import njit
 
+BLOCK = 64
+"""So many points go side by side; in the last block those that are missing are 0."""
 SMALL = 40
 """Up to so many coordinates, counting for each those before it is the fastest way to sort."""
 WIDTH = 8
 """No exceptional group needs more coordinates."""
-GROUP = 16
-"""So many points go down a search tree side by side."""
 
 
-@njit(cache=True, inline="always")
-def rank(order: Any, begin: int, sizes: Any, bounds: Any, c: int) -> None:
-    """Indices by sizes, the greatest first, as `sorting._rank`: each counts those before it, branchless."""
+# -- sorting -------------------------------------------------------------------------------------------------
+
+
+@njit(cache=True)
+def count_before(bits: Any, bounds: Any, c: int, place: Any) -> None:
+    """How many of c coordinates come before each, as in `sorting`: one comparison for each pair."""
     for i in range(c):
-        size, bound, before = sizes[i], bounds[i], 0
+        for q in range(BLOCK):
+            place[i, q] = 0.0
         for j in range(i):
-            before += bounds[j] > size
-        for j in range(i + 1, c):
-            before += sizes[j] >= bound
-        order[begin + before] = i
+            for q in range(BLOCK):
+                first = 1.0 if bounds[j, q] > bits[i, q] else 0.0
+                place[i, q] += first
+                place[j, q] += 1.0 - first
 
 
-@njit(cache=True, inline="always")
+@njit(cache=True)
+def sort_each(rest: Any, c: int, count: int, signed: bool, place: Any) -> None:
+    """The same for many coordinates, point by point."""
+    for q in range(count):
+        column, ties = rest[:c, q].copy(), np.arange(c)
+        if signed:
+            ties = np.argsort(np.where(column < 0, 2 * c - ties, ties), kind="mergesort")
+            column = np.abs(column)
+        order = ties[np.argsort(-column[ties], kind="mergesort")]
+        for j in range(c):
+            place[order[j], q] = j
+
+
+# -- folding -------------------------------------------------------------------------------------------------
+
+
+@njit(cache=True)
 def fold_plain(
-    z: Any,
-    row: int,
-    c: int,
-    wide: int,
-    rest: Any,
-    bits: Any,
-    bounds: Any,
-    turned: Any,
-    at: int,
-    shift: Any,
-    order: Any,
-    x: Any,
+    z: Any, c: int, count: int, rest: Any, sizes: Any, bounds: Any, sums: Any, shift: Any, place: Any
 ) -> None:
-    """Floors, the order of what is left, and turning so that the lattice is met; x is the result, sorted.
+    """Floors, the order of what is left, and turning so that the lattice is met.
 
-    Reads c numbers from z[row] on, and writes from number `at` on.
+    Of c rows z it writes the vector of the lattice, what is left, and its place in the order.
     """
-    total = 0
+    bits = rest.view(np.int64)
+    for q in range(BLOCK):
+        sums[0, q] = 0.0
     for i in range(c):
-        floor = np.floor(z[row + i])
-        rest[i] = z[row + i] - floor
-        shift[at + i] = int(floor)
-        total += shift[at + i]
+        for q in range(BLOCK):
+            floor = np.floor(z[i, q])
+            rest[i, q] = z[i, q] - floor
+            shift[i, q] = floor
+            sums[0, q] += floor
     if c <= SMALL:
         for i in range(c):
-            bounds[i] = bits[i] + 1
-        for i in range(c, wide):
-            bits[i] = bounds[i] = -1
-        rank(turned, 0, bits, bounds, wide)
+            for q in range(BLOCK):
+                bounds[i, q] = bits[i, q] + 1
+        count_before(bits, bounds, c, place)
     else:
-        turned[:c] = np.argsort(-rest[:c], kind="mergesort")
-    mean = int(np.ceil(total / c))
-    turn = c * mean - total
-    for j in range(c):
-        i = turned[j + turn - c * (j >= c - turn)]
-        lift = (j >= c - turn) - mean
-        order[at + j] = i
-        x[at + j] = rest[i] - lift
-        shift[at + i] += lift
-
-
-@njit(cache=True, inline="always")
-def fold_signed(
-    z: Any,
-    row: int,
-    c: int,
-    wide: int,
-    kind: int,
-    rest: Any,
-    sizes: Any,
-    bits: Any,
-    bounds: Any,
-    at: int,
-    shift: Any,
-    order: Any,
-    signs: Any,
-    x: Any,
-) -> None:
-    """Nearest integers, signs, sizes; x is the result, sorted, and so are the signs."""
-    odd = 0
+        sort_each(rest, c, count, False, place)
+    for q in range(BLOCK):
+        sums[1, q] = np.ceil(sums[0, q] / c)
+        sums[0, q] = c * sums[1, q] - sums[0, q]
     for i in range(c):
-        nearest = np.floor((2.0 * z[row + i] + 1.0) / 2.0)
-        rest[i] = z[row + i] - nearest
-        shift[at + i] = int(nearest)
-        odd ^= shift[at + i] & 1
-        sizes[i] = abs(rest[i])
-    if c == 1:
-        order[at] = 0
-    elif c <= SMALL:
+        for q in range(BLOCK):
+            wrapped = 1.0 if place[i, q] < sums[0, q] else 0.0
+            lift = wrapped - sums[1, q]
+            place[i, q] += c * wrapped - sums[0, q]
+            rest[i, q] -= lift
+            shift[i, q] += lift
+
+
+@njit(cache=True)
+def fold_signed(
+    z: Any, c: int, count: int, kind: int, rest: Any, sizes: Any, bounds: Any, sums: Any, shift: Any,
+    place: Any, signs: Any,
+) -> None:  # fmt: skip
+    """Nearest integers, signs, sizes: as `fold_plain`, and the signs, which what is left has lost."""
+    bits = sizes.view(np.int64)
+    for q in range(BLOCK):
+        sums[0, q] = 0.0
+    for i in range(c):
+        for q in range(BLOCK):
+            nearest = np.floor((2.0 * z[i, q] + 1.0) / 2.0)
+            rest[i, q] = z[i, q] - nearest
+            sizes[i, q] = abs(rest[i, q])
+            shift[i, q] = nearest
+            sums[0, q] += nearest
+    if c <= SMALL:
         for i in range(c):
-            bounds[i] = bits[i] + (rest[i] >= 0)
-        for i in range(c, wide):
-            bits[i] = bounds[i] = -1
-        rank(order, at, bits, bounds, wide)
+            for q in range(BLOCK):
+                bounds[i, q] = bits[i, q] + (1 if rest[i, q] >= 0.0 else 0)
+        count_before(bits, bounds, c, place)
     else:
+        sort_each(rest, c, count, True, place)
+    for q in range(BLOCK):
+        odd = sums[0, q] - 2.0 * np.floor(sums[0, q] / 2.0)
+        sums[0, q] = 0.0 if kind == 2 else odd
+        sums[1, q] = 1.0
+    for i in range(c):
+        for q in range(BLOCK):
+            way = sums[0, q] if rest[i, q] >= 0.0 else -sums[0, q]
+            way = way if place[i, q] == 0.0 else 0.0
+            shift[i, q] += way
+            rest[i, q] -= way
+            signs[i, q] = -1.0 if rest[i, q] < 0.0 else 1.0
+            rest[i, q] = abs(rest[i, q])
+            sums[1, q] *= signs[i, q]
+    if kind == 3:
         for i in range(c):
-            bounds[i] = 2 * c - i if rest[i] < 0 else i
-        by_ties = np.argsort(bounds[:c], kind="mergesort")
-        order[at : at + c] = by_ties[np.argsort(-sizes[by_ties], kind="mergesort")]
-    if kind != 2 and odd:
-        first = order[at]
-        way = -1 if rest[first] < 0 else 1
-        shift[at + first] += way
-        rest[first] -= way
-    flip = 1
-    for j in range(c):
-        i = order[at + j]
-        sign = -1 if rest[i] < 0 else 1
-        flip *= sign
-        signs[at + j] = sign
-        x[at + j] = rest[i] * sign
-    if kind == 3 and flip < 0:
-        signs[at + c - 1] = -signs[at + c - 1]
-        x[at + c - 1] = -x[at + c - 1]
+            for q in range(BLOCK):
+                flip = sums[1, q] if place[i, q] == c - 1.0 else 1.0
+                signs[i, q] *= flip
+                rest[i, q] *= flip
+
+
+# -- locating ------------------------------------------------------------------------------------------------
+
+
+@njit(cache=True)
+def load(points: Any, begin: int, count: int, lengths: Any, z: Any, sums: Any, sizes: Any) -> None:
+    """A block of points as columns, and the greatest size of a coordinate.
+
+    If there are lengths, Helmert's matrix carries the points from d coordinates to the d + 1 of A~d.
+    """
+    d = points.shape[1]
+    for k in range(d):
+        for q in range(count):
+            z[k, q] = points[begin + q, k]
+        for q in range(count, BLOCK):
+            z[k, q] = 0.0
+    m = d
+    if len(lengths):
+        m = d + 1
+        for q in range(BLOCK):
+            sums[0, q] = z[m - 1, q] = 0.0
+        for k in range(d - 1, -1, -1):
+            for q in range(BLOCK):
+                share = z[k, q] / lengths[k]
+                sums[0, q] += share
+                z[k + 1, q] -= share * (k + 1)
+                z[k, q] = sums[0, q]
+    for q in range(BLOCK):
+        sums[1, q] = 1.0
+    for k in range(m):
+        for q in range(BLOCK):
+            sums[1, q] = max(sums[1, q], abs(z[k, q]))
+    for q in range(count):
+        sizes[begin + q] = sums[1, q]
+
+
+@njit(cache=True)
+def store(columns: Any, begin: int, count: int, rows: Any) -> None:
+    """A block of columns as rows."""
+    for q in range(count):
+        for k in range(rows.shape[1]):
+            rows[begin + q, k] = columns[k, q]
+
+
+@njit(cache=True)
+def settle(
+    levels: Any, labels: int, begin: int, count: int, factor: float, sizes: Any, sums: Any, near: Any
+) -> None:
+    """Barycentric coordinates without what rounding left below zero; which points are too close to tell."""
+    for q in range(BLOCK):
+        sums[0, q], sums[1, q] = 1.0, 0.0
+    for k in range(labels):
+        for q in range(BLOCK):
+            sums[0, q] = min(sums[0, q], levels[k, q])
+            levels[k, q] = max(levels[k, q], 0.0)
+            sums[1, q] += levels[k, q]
+    for k in range(labels):
+        for q in range(BLOCK):
+            levels[k, q] /= sums[1, q]
+    for q in range(count):
+        near[begin + q] = sums[0, q] <= sizes[begin + q] * factor
+
+
+@njit(cache=True)
+def levels_of(x: Any, m: int, kind: int, levels: Any) -> None:
+    """Barycentric coordinates, from those of the roots in order: as in `coordinates`."""
+    for j in range(1, m):
+        for q in range(BLOCK):
+            step = x[j - 1, q] - x[j, q]
+            levels[j, q] = step if kind == 0 else 2.0 * step
+    for q in range(BLOCK):
+        if kind == 0:
+            levels[0, q] = 1.0 - (x[0, q] - x[m - 1, q])
+        else:
+            levels[m, q] = 2.0 * x[m - 1, q]
+        if kind == 2:
+            levels[0, q] = 1.0 - 2.0 * x[0, q]
+        if kind == 1 or kind == 3:
+            levels[0, q] = 1.0 - (x[0, q] + x[1, q])
+            levels[1, q] = x[0, q] - x[1, q]
+        if kind == 3:
+            levels[m - 1, q] = x[m - 2, q] - x[m - 1, q]
+            levels[m, q] = x[m - 2, q] + x[m - 1, q]
 
 
 @njit(cache=True)
 def locate_classical(
-    points: Any, kind: int, lengths: Any, key_unit: int, centre: Any, keys: Any, shares: Any, sizes: Any
-) -> None:
-    """A~d to D~d. Points of A~d with d coordinates are carried to d + 1 by Helmert's matrix."""
-    n, given = points.shape
-    m = len(centre)
-    z, rest, size_of, x = np.empty(m), np.empty(m), np.empty(m), np.empty(m)
-    shift, order, signs = np.empty(m, np.int64), np.empty(m, np.int64), np.empty(m, np.int64)
-    bounds, work = np.empty(m, np.int64), np.empty(m, np.int64)
-    rest_bits, size_bits = rest.view(np.int64), size_of.view(np.int64)
-    for p in range(n):
-        if given < m:
-            total = 0.0
-            z[m - 1] = 0.0
-            for k in range(m - 2, -1, -1):
-                share = points[p, k] / lengths[k]
-                total += share
-                z[k + 1] -= share * (k + 1)
-                z[k] = total
-        else:
-            for i in range(m):
-                z[i] = points[p, i]
-        size = 1.0
-        for i in range(m):
-            size = max(size, abs(z[i]))
-        sizes[p] = size
+    points: Any, kind: int, lengths: Any, key_unit: int, centre: Any, factor: float, keys: Any, shares: Any,
+    near: Any, sizes: Any,
+) -> None:  # fmt: skip
+    """A~d to D~d."""
+    m, labels = len(centre), shares.shape[1]
+    z, rest, shift = np.empty((m, BLOCK)), np.empty((m, BLOCK)), np.empty((m, BLOCK))
+    place, x = np.empty((m, BLOCK)), np.empty((m, BLOCK))
+    signs, size_of, levels = np.ones((m, BLOCK)), np.empty((m, BLOCK)), np.empty((labels, BLOCK))
+    bounds, sums = np.empty((m, BLOCK), np.int64), np.empty((2, BLOCK))
+    for begin in range(0, len(points), BLOCK):
+        count = min(BLOCK, len(points) - begin)
+        load(points, begin, count, lengths, z, sums, sizes)
         if kind == 0:
-            fold_plain(z, 0, m, m, rest, rest_bits, bounds, work, 0, shift, order, x)
-            for j in range(m):
-                keys[p, order[j]] = shift[order[j]] * key_unit + centre[j]
-            shares[p, 0] = 1.0 - (x[0] - x[m - 1])
-            for j in range(1, m):
-                shares[p, j] = x[j - 1] - x[j]
-            continue
-        fold_signed(z, 0, m, m, kind, rest, size_of, size_bits, bounds, 0, shift, order, signs, x)
-        for j in range(m):
-            keys[p, order[j]] = shift[order[j]] * key_unit + signs[j] * centre[j]
-        for j in range(1, m):
-            shares[p, j] = 2.0 * (x[j - 1] - x[j])
-        shares[p, m] = 2.0 * x[m - 1]
-        if kind == 2:
-            shares[p, 0] = 1.0 - 2.0 * x[0]
+            fold_plain(z, m, count, rest, size_of, bounds, sums, shift, place)
         else:
-            shares[p, 0] = 1.0 - (x[0] + x[1])
-            shares[p, 1] = x[0] - x[1]
-            if kind == 3:
-                shares[p, m - 1] = x[m - 2] - x[m - 1]
-                shares[p, m] = x[m - 2] + x[m - 1]
+            fold_signed(z, m, count, kind, rest, size_of, bounds, sums, shift, place, signs)
+        for i in range(m):
+            for q in range(count):
+                j = int(place[i, q])
+                x[j, q] = rest[i, q]
+                bounds[i, q] = int(shift[i, q]) * key_unit + int(signs[i, q]) * centre[j]
+        store(bounds, begin, count, keys)
+        levels_of(x, m, kind, levels)
+        settle(levels, labels, begin, count, factor, sizes, sums, near)
+        store(levels, begin, count, shares)
 
 
 @njit(cache=True, fastmath={"reassoc", "contract"})
-def find_cells(x: Any, count: int, walls: Any, children: Any, depth: int, finest: float, nodes: Any) -> None:
+def find_cells(x: Any, walls: Any, children: Any, depth: int, finest: float, nodes: Any) -> None:
     """Down the tree with several points side by side, which hides how long each step takes.
 
     The sums are exact, so that their order may be changed.
     """
-    for q in range(count):
+    for q in range(BLOCK):
         nodes[q] = len(walls) - 1
     for _ in range(depth):
-        for q in range(count):
+        for q in range(BLOCK):
             node = nodes[q]
             level = walls[node, WIDTH] * finest
             for i in range(WIDTH):
-                level += x[q * WIDTH + i] * walls[node, i]
+                level += x[q, i] * walls[node, i]
             nodes[q] = children[node, int(level < 0)]
 
 
 @njit(cache=True)
 def locate_in_cells(
-    points: Any,
-    parts: Any,
-    walls: Any,
-    children: Any,
-    depth: int,
-    forms: Any,
-    centres: Any,
-    outward: Any,
-    below: int,
-    key_unit: int,
-    finest: float,
-    keys: Any,
-    shares: Any,
-    sizes: Any,
-) -> None:
+    points: Any, parts: Any, walls: Any, children: Any, depth: int, forms: Any, centres: Any, outward: Any,
+    below: int, key_unit: int, finest: float, factor: float, keys: Any, shares: Any, near: Any, sizes: Any,
+) -> None:  # fmt: skip
     """E6, E7, E8, F4, G2: sorting by the parts of the subgroup, then down the tree to the cell.
 
     Tables are filled up with zeros to a fixed width, so that the innermost loops are unrolled.
     """
-    n, c = points.shape
-    m, labels = keys.shape[1], shares.shape[1]
-    x, fine, nodes = np.zeros(GROUP * WIDTH), np.empty(GROUP * WIDTH), np.empty(GROUP, np.int64)
-    order, signs = np.empty((GROUP + 1) * WIDTH, np.int64), np.ones(GROUP * WIDTH, np.int64)
-    shift, work, bounds = (
-        np.empty(GROUP * WIDTH, np.int64),
-        np.empty(WIDTH, np.int64),
-        np.empty(WIDTH, np.int64),
-    )
-    rest, size_of, level = np.empty(WIDTH), np.empty(WIDTH), np.empty(WIDTH + 1)
-    rest_bits, size_bits = rest.view(np.int64), size_of.view(np.int64)
-    key, image, z = np.zeros(WIDTH, np.int64), np.empty(WIDTH, np.int64), points.ravel()
-    for begin in range(0, n, GROUP):
-        count = min(GROUP, n - begin)
+    c, m, labels = points.shape[1], keys.shape[1], shares.shape[1]
+    z, rest = np.empty((c, BLOCK)), np.empty((c, BLOCK))
+    shift, place = np.empty((c, BLOCK)), np.empty((c, BLOCK))
+    signs, size_of, nothing = np.ones((c, BLOCK)), np.empty((c, BLOCK)), np.empty(0)
+    bounds, sums = np.empty((c, BLOCK), np.int64), np.empty((2, BLOCK))
+    x, fine, nodes = np.zeros((BLOCK, WIDTH)), np.zeros((BLOCK, WIDTH)), np.empty(BLOCK, np.int64)
+    level, image, levels = np.empty(WIDTH + 1), np.empty(WIDTH, np.int64), np.zeros((labels, BLOCK))
+    for begin in range(0, len(points), BLOCK):
+        count = min(BLOCK, len(points) - begin)
+        load(points, begin, count, nothing, z, sums, sizes)
+        for part in range(len(parts)):
+            kind, start, w = parts[part, 0], parts[part, 1], parts[part, 2]
+            y, to, at, sign = z[start:], shift[start:], place[start:], signs[start:]
+            if kind == 0:
+                fold_plain(y, w, count, rest, size_of, bounds, sums, to, at)
+            else:
+                fold_signed(y, w, count, kind, rest, size_of, bounds, sums, to, at, sign)
+            for i in range(w):
+                for q in range(BLOCK):
+                    at[i, q] += start
+                    x[q, int(at[i, q])] = rest[i, q]
+                    fine[q, int(at[i, q])] = np.rint(rest[i, q] * finest)
+        find_cells(fine, walls, children, depth, finest, nodes)
         for q in range(count):
-            p, at = begin + q, q * WIDTH
-            size = 1.0
-            for i in range(c):
-                size = max(size, abs(points[p, i]))
-            sizes[p] = size
-            for part in range(len(parts)):
-                kind, start, w = parts[part, 0], parts[part, 1], parts[part, 2]
-                row, to = p * c + start, at + start
-                if kind == 0:
-                    fold_plain(z, row, w, WIDTH, rest, rest_bits, bounds, work, to, shift, order, x)
-                else:
-                    fold_signed(
-                        z, row, w, WIDTH, kind, rest, size_of, size_bits, bounds, to, shift, order, signs, x
-                    )
-                for j in range(to, to + w):
-                    order[j] += start
-        for i in range(len(x)):
-            fine[i] = np.rint(x[i] * finest)
-        find_cells(fine, count, walls, children, depth, finest, nodes)
-        for q in range(count):
-            p, at, cell = begin + q, q * WIDTH, nodes[q]
+            p, cell = begin + q, nodes[q]
             for k in range(WIDTH + 1):
                 level[k] = forms[cell, WIDTH, k]
             for i in range(c):
                 for k in range(WIDTH + 1):
-                    level[k] += x[at + i] * forms[cell, i, k]
+                    level[k] += x[q, i] * forms[cell, i, k]
             for k in range(labels):
-                shares[p, k] = level[k]
-            for j in range(c):
-                i = order[at + j]
-                key[i] = shift[at + i] * key_unit + signs[at + j] * centres[cell, j]
+                levels[k, q] = level[k]
             for i in range(WIDTH):
                 image[i] = 0
             for j in range(c):
+                key = int(shift[j, q]) * key_unit + int(signs[j, q]) * centres[cell, int(place[j, q])]
                 for i in range(WIDTH):
-                    image[i] += key[j] * outward[j, i]
+                    image[i] += key * outward[j, i]
             for i in range(m):
                 keys[p, i] = image[i] if below == 1 else int(np.rint(image[i] / below))
-
-
-@njit(cache=True)
-def settle(shares: Any, sizes: Any, factor: float, near: Any) -> None:
-    """Barycentric coordinates without what rounding left below zero; which points are too close to tell."""
-    n, m = shares.shape
-    for p in range(n):
-        least, total = 1.0, 0.0
-        for k in range(m):
-            least = min(least, shares[p, k])
-            shares[p, k] = max(shares[p, k], 0.0)
-            total += shares[p, k]
-        near[p] = least <= sizes[p] * factor
-        for k in range(m):
-            shares[p, k] /= total
+        settle(levels, labels, begin, count, factor, sizes, sums, near)
+        store(levels, begin, count, shares)

@@ -12,7 +12,7 @@ from numpy.typing import ArrayLike, NDArray
 
 from ..errors import InvalidInput
 from .cells import Cells
-from .compiled import locate_compiled, settle_compiled
+from .compiled import locate_compiled
 from .coordinates import barycentric
 from .folding import Folded, fold
 from .frames import Frame, from_helmert
@@ -56,10 +56,9 @@ class Locator:
     def rounded(self, y: Floats, lengths: Floats | None, found: Found) -> None:
         """For floats (n, c); or (n, d), in Helmert's coordinates of A~d, if his lengths are given."""
         factor = len(self.centre) * max(self.subgroup.triangulation.marks) * 2.0**-48
-        sizes = locate_compiled(self, y, lengths, found)
+        sizes = locate_compiled(self, y, lengths, factor, found)
         if sizes is not None:
-            check_size(sizes)
-            return settle_compiled(found.barycentric, sizes, factor, found.open)
+            return check_size(sizes)
         columns = np.ascontiguousarray(y.T)
         if lengths is not None:
             columns = from_helmert(columns, lengths)
