@@ -46,6 +46,7 @@ lock: .venv/.ready ## renew requirements.lock from pyproject.toml
 
 benchmark: .venv/.ready ## measure the library, beside its peers
 	$(BIN)/python benchmarks/run.py
+	$(BIN)/python benchmarks/locate.py -o benchmarks/results.json
 
 clean: ## remove what was built, but not .venv
 	rm -rf _build .pytest_cache .mypy_cache .ruff_cache .import_linter_cache .hypothesis *.egg-info

@@ -179,7 +179,7 @@ def test_the_same_whatever_the_array():
 def test_many_chunks_are_one_answer(monkeypatch):
     grid, points = Grid("B~4"), some_points("B~4", 1000)
     whole = grid.locate(points).keys
-    monkeypatch.setattr("coxeter.location.grid.CHUNK", 64)
+    monkeypatch.setattr("coxeter.location.grid.NUMBERS", 64)
     assert (grid.locate(points).keys == whole).all()
 
 
@@ -313,7 +313,7 @@ def test_many_chunks_of_keys_are_one_answer(monkeypatch):
     grid = Grid("F~4")
     keys = grid.locate(some_points("F~4", 300)).keys
     whole = grid.vertices(keys)
-    monkeypatch.setattr("coxeter.location.alcoves.CHUNK", 64)
+    monkeypatch.setattr("coxeter.location.alcoves.NUMBERS", 64)
     assert (grid.vertices(keys) == whole).all()
 
 

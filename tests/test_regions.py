@@ -291,7 +291,8 @@ def test_a_patch_of_nothing_is_empty():
 def test_far_from_the_origin_as_near(name):
     """A patch and the same, moved by a vector of the coroot lattice, have the same cells."""
     grid = Grid(name)
-    shift = (grid._subgroup.doubled_coroots[0] // 2) * 2**20
+    coroots = grid.triangulation.roots.coroots
+    shift = coroots.numerators[0].astype(np.int64) // coroots.denominator * 2**20
     moved = grid.frame.outward(shift.astype(float))
     lower = np.full(grid.dimension, 0.123)
     near = grid.alcoves_in_box(lower, lower + 1)

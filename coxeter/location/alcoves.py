@@ -12,9 +12,9 @@ from numpy.typing import ArrayLike, NDArray
 
 from ..affine import CoxeterTriangulation, triangulation
 from ..errors import InvalidInput
-from .folding import fold
+from .cells import cells_of, extended_cartan_matrix
 from .frames import Frame, frame_of
-from .locating import CHUNK
+from .locating import NUMBERS, Locator
 from .rows import flood, in_order
 from .subgroups import Ints, Subgroup, subgroup
 
@@ -35,6 +35,11 @@ class Alcoves:
     ) -> None:
         self.triangulation: CoxeterTriangulation = triangulation(getattr(name, "name", name))
         self.frame: Frame = frame_of(self.triangulation, scale, rotation, offset)
+
+    def __reduce__(self) -> tuple[Any, ...]:
+        """A grid is sent to another process as what it was made from; what is computed of it is not."""
+        frame = self.frame
+        return type(self), (self.triangulation.name, frame.scale, frame.rotation, frame.offset)
 
     def __repr__(self) -> str:
         return f"Grid({self.triangulation.name!r}{self.frame.words})"
@@ -82,13 +87,15 @@ class Alcoves:
 
     def corners(self, keys: ArrayLike) -> Ints:
         """The vertices in the coordinates of the roots, exactly: integers, times `vertex_unit`."""
-        return self._images(keys, self._corners, self.vertex_unit)
+        shares = np.eye(self.dimension + 1, dtype=np.int64) * self.vertex_unit
+        return self._images(keys, self._corners, shares, self.vertex_unit)
 
     def neighbours(self, keys: ArrayLike) -> Ints:
         """The keys (n, d + 1, ·) of the simplices across the facets; number k shares all vertices but one."""
         walls = map(self._subgroup.wall, range(self.dimension + 1))
-        images = [wall.reflect(self._centre, self.key_unit) for wall in walls]
-        return self._images(keys, np.array(images), self.key_unit)
+        images = np.array([wall.reflect(self._centre, self.key_unit) for wall in walls])
+        shares = (1 - extended_cartan_matrix(self.triangulation)) * self._locator.shares_of_centre
+        return self._images(keys, images, shares, self.key_unit)
 
     def star(self, key: Sequence[int], label: int) -> Ints:
         """The keys of all simplices that share a vertex of one of them, given by its label; in order."""
@@ -101,18 +108,23 @@ class Alcoves:
         assert found is not None
         return in_order(found)
 
-    def _images(self, keys: ArrayLike, rows: Ints, unit: int) -> Ints:
-        """Rows (j, m) that belong to the fundamental simplex, carried to others, in chunks."""
-        known = self._read(keys)
-        images = np.empty((len(known), *rows.shape), dtype=known.dtype)
-        for start in range(0, len(known), CHUNK):
-            part = known[start : start + CHUNK]
-            folded = fold(self._subgroup, part, self.key_unit)
-            if len(wrong := np.flatnonzero((folded.points != self._centre).any(axis=1))):
+    @cached_property
+    def _locator(self) -> Locator:
+        cells = None if self._subgroup.classical else cells_of(self._subgroup)
+        return Locator(self._subgroup, cells, self._centre, self.key_unit)
+
+    def _images(self, keys: ArrayLike, points: Ints, shares: Ints, unit: int) -> Ints:
+        """Points (j, m) of the fundamental simplex, with barycentric coordinates, carried to others."""
+        known, rows = self._read(keys), max(1, NUMBERS // points.size)
+        images = np.empty((len(known), *points.shape), dtype=known.dtype)
+        for start in range(0, len(known), rows):
+            part = known[start : start + rows]
+            folded = self._locator.fold(part, self.key_unit)
+            if len(wrong := np.flatnonzero((self._locator.keys(folded) != part).any(axis=1))):
                 raise InvalidInput(
                     f"{part[wrong[0]].tolist()} is no key of a simplex of {self.triangulation.name}"
                 )
-            images[start : start + CHUNK] = folded.undo(np.broadcast_to(rows, (len(part), *rows.shape)), unit)
+            images[start : start + rows] = folded.undo(points, shares, unit)
         return images
 
     def _read(self, keys: ArrayLike) -> NDArray[Any]:

@@ -7,10 +7,10 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from .folding import ROUNDING
+from .cells import FINEST
 
 if TYPE_CHECKING:
-    from .locating import Locator
+    from .locating import Found, Locator
 
 kernels: Any
 try:
@@ -18,60 +18,59 @@ try:
 except ImportError:  # no Numba: the same answers from NumPy alone
     kernels = None
 
+NO_LENGTHS = np.empty(0)
 
-def fold_compiled(locator: Locator, points: Any, lengths: Any) -> tuple[Any, Any, Any] | None:
-    """Keys, barycentric coordinates and sizes of points, by the compiled code; None where there is none.
+
+def locate_compiled(locator: Locator, points: Any, lengths: Any, found: Found) -> Any:
+    """Write keys and barycentric coordinates, not yet settled, by the compiled code; returns the sizes.
+
+    Where there is no Numba it returns None.
 
     Parameters
     ----------
     points
-        In the coordinates of the roots; or, if lengths are given, points of R^d that Helmert's matrix carries
-        there.
+        In the coordinates of the subgroup; or, if lengths are given, points of R^d that Helmert's matrix
+        carries there.
     lengths
         Those of the rows of Helmert's matrix, or None.
+    found
+        Where to write.
     """
     if kernels is None:
         return None
-    n, m, d = len(points), len(locator.centre), locator.subgroup.triangulation.dimension
-    points = np.ascontiguousarray(points)
-    keys, shares, sizes = np.empty((n, m), np.int64), np.empty((n, d + 1)), np.empty(n)
-    if locator.subgroup.classical:
-        kind = "ABCD".index(locator.subgroup.kind)
-        lengths = np.empty(0) if lengths is None else lengths
-        kernels.locate_classical(points, kind, lengths, locator.key_unit, locator.centre, keys, shares, sizes)
+    sizes = np.empty(len(points))
+    points, out = np.ascontiguousarray(points), (found.keys, found.barycentric, sizes)
+    if locator.cells is None:
+        kind = "ABCD".index(locator.subgroup.parts[0].kind)
+        given = NO_LENGTHS if lengths is None else lengths
+        kernels.locate_classical(points, kind, given, locator.key_unit, locator.centre, *out)
     else:
-        left = kernels.locate_by_mirrors(
-            points, *_walls(locator), locator.key_unit, locator.centre, keys, shares, sizes, ROUNDING
-        )
-        if left:
-            raise AssertionError(f"{left} points need more steps than there is room for")
-    return keys, shares, sizes
+        kernels.locate_in_cells(points, *_tables(locator), locator.key_unit, FINEST, *out)
+    return sizes
 
 
 @lru_cache(maxsize=8)
-def _walls(locator: Locator) -> tuple[Any, ...]:
-    """What `locate_by_mirrors` needs to know of the walls."""
-    subgroup, triangulation = locator.subgroup, locator.subgroup.triangulation
-    walls = [subgroup.wall(k) for k in range(triangulation.dimension + 1)]
-    none = np.empty((0, subgroup.ambient), np.int64)
-    weights, scale = (none, 1) if subgroup.whole else subgroup.weights
+def _tables(locator: Locator) -> tuple[Any, ...]:
+    """What `locate_in_cells` needs to know."""
+    subgroup, cells = locator.subgroup, locator.cells
+    assert cells is not None
+    parts = [("ABCD".index(p.kind), p.start, p.columns.stop - p.start) for p in subgroup.parts]
+    forms = np.moveaxis(cells.forms * cells.marks[:, None], 1, 2) / cells.scale
+    (outward, below), wide = subgroup.outward, kernels.WIDTH
+    missing = wide - subgroup.width
+    forms = np.pad(forms, [(0, 0), (0, 0), (0, wide + 1 - forms.shape[2])])
     return (
-        "ABCD".index(subgroup.kind),
-        np.array(subgroup.order),
-        np.array([wall.normal for wall in walls]),
-        np.array([wall.offset for wall in walls]),
-        np.array([wall.factor.numerator for wall in walls]),
-        np.array([wall.factor.denominator for wall in walls]),
-        np.array(subgroup.walls),
-        weights,
-        scale,
-        none if subgroup.whole else subgroup.doubled_coroots,
-        np.array([m / wall.scale for m, wall in zip(triangulation.marks, walls, strict=True)]),
+        np.array(parts),
+        np.insert(cells.walls.astype(np.float64), [subgroup.width] * missing, 0, axis=1),
+        cells.children,
+        cells.depth,
+        np.insert(forms, [subgroup.width] * missing, 0, axis=1),
+        cells.images(locator.shares_of_centre[None], locator.key_unit)[:, 0],
+        np.pad(outward, [(0, wide - n) for n in outward.shape]),
+        below,
     )
 
 
-def settle_compiled(shares: Any, sizes: Any, factor: float) -> Any:
-    """As `locating.settle`, in place; returns what is open."""
-    near = np.empty(len(shares), dtype=np.bool_)
+def settle_compiled(shares: Any, sizes: Any, factor: float, near: Any) -> None:
+    """As `locating.settle`, in place."""
     kernels.settle(shares, sizes, factor, near)
-    return near

@@ -82,7 +82,7 @@ class Frame:
         points = self.aligned(points)
         if self.kind == "identity":
             return points
-        return from_helmert(points, self.lengths) if self.kind == "helmert" else points @ self._basis
+        return from_helmert(points.T, self.lengths).T if self.kind == "helmert" else points @ self._basis
 
     def outward(self, points: Floats) -> Floats:
         """Points (..., m) in the coordinates of the roots back to R^d."""
@@ -101,12 +101,13 @@ class Frame:
         return points
 
 
-def from_helmert(points: Floats, lengths: Floats) -> Floats:
-    """Points of R^d in the d + 1 coordinates of the roots of A~d."""
-    shares = points / lengths
-    z = np.zeros((*points.shape[:-1], points.shape[-1] + 1))
-    z[..., :-1] = np.cumsum(shares[..., ::-1], axis=-1)[..., ::-1]
-    z[..., 1:] -= shares * np.arange(1.0, points.shape[-1] + 1)
+def from_helmert(columns: Floats, lengths: Floats) -> Floats:
+    """Points of R^d, as columns, in the d + 1 coordinates of the roots of A~d."""
+    shares = columns / lengths[:, None]
+    z = np.zeros((len(columns) + 1, columns.shape[1]))
+    for k in range(len(shares) - 1, -1, -1):
+        np.add(z[k + 1], shares[k], out=z[k])
+    z[1:] -= shares * np.arange(1.0, len(z))[:, None]
     return z
 
 

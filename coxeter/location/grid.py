@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Iterator
 from dataclasses import dataclass
 from fractions import Fraction
 from functools import cached_property
@@ -15,7 +16,8 @@ from ..meshes import Mesh
 from .alcoves import Alcoves
 from .convex import Ball, Box
 from .interpolation import Function, Interpolation, Vertices, interpolation_at
-from .locating import CHUNK, Locator, over_common_denominator, read
+from .lazy import is_lazy, locate_lazily, vertices_lazily
+from .locating import NUMBERS, Found, as_floats, over_common_denominator, read
 from .patches import patch_in, patch_of
 from .regions import Star, classes_of, search, star_of
 from .subgroups import Ints
@@ -54,6 +56,8 @@ class Location:
     @cached_property
     def vertices(self) -> Floats:
         """The vertices of the simplices, shape (n, d + 1, d), by their labels."""
+        if is_lazy(self.keys):
+            return vertices_lazily(self.grid, self.keys)  # type: ignore[no-any-return]
         return self.grid.vertices(self.keys)
 
 
@@ -97,8 +101,9 @@ class Grid(Alcoves):
         Parameters
         ----------
         points
-            An array (n, d) of floats; or exact numbers (integers, fractions) in the coordinates of the roots,
-            for which the answer is exact, if the grid has neither scale, rotation nor offset.
+            An array (n, d) of floats, or a Dask array of them, for which the answer consists of Dask arrays;
+            or exact numbers (integers, fractions) in the coordinates of the roots, for which the answer is
+            exact, if the grid has neither scale, rotation nor offset.
 
         Raises
         ------
@@ -106,23 +111,63 @@ class Grid(Alcoves):
             If the shape is wrong, a number is not finite, or so large that floats no longer tell the
             simplices apart.
         """
-        d, m = self.dimension, self._subgroup.ambient
-        array = read(points, self.frame, (d, m))
+        if is_lazy(points):
+            return Location(self, *locate_lazily(self, points))
+        array = read(points, self.frame, (self.dimension, self._subgroup.ambient))
         if array.dtype == object:
             return self._exactly(array)
-        if array.shape[1] != d:
-            self._in_span(array)
-            return self._closed(self._in_chunks(array, None), array)
-        if self.frame.kind == "helmert":
-            return self._in_chunks(self.frame.aligned(array), self.frame.lengths)
-        found = self._in_chunks(self.frame.inward(array), None)
-        return self._closed(found, array) if self.frame.standard else found
+        n, rows = len(array), max(1, NUMBERS // array.shape[1])
+        found = Found(
+            np.empty((n, self._subgroup.ambient), np.int64),
+            np.empty((n, self.dimension + 1)),
+            np.empty(n, bool),
+        )
+        for i in range(0, n, rows):
+            self._locate_some(as_floats(array[i : i + rows]), found[i : i + rows])
+        return Location(self, found.keys, found.barycentric, found.open)
 
-    def _in_chunks(self, z: Floats, lengths: Floats | None) -> Location:
-        starts = range(0, max(len(z), 1), CHUNK)
-        parts = [self._locator.rounded(z[i : i + CHUNK], lengths) for i in starts]
-        arrays = ([getattr(part, name) for part in parts] for name in ("keys", "barycentric", "open"))
-        return Location(self, *map(np.concatenate, arrays))
+    def locate_chunks(self, points: ArrayLike, chunk: int = 1 << 16) -> Iterator[Location]:
+        """Locate more points than fit in memory: one answer after the other, in order.
+
+        What is held at a time is what `locate` needs for a chunk: input, keys and barycentric coordinates,
+        about 24 (d + 1) bytes a point, and a fixed amount for intermediate results.
+
+        Parameters
+        ----------
+        points
+            As for `locate`; a file opened by ``np.load(..., mmap_mode="r")`` is read chunk by chunk.
+        chunk
+            How many points at a time.
+
+        Raises
+        ------
+        InvalidInput
+            As `locate`, once the chunk's turn comes, with rows counted within it; or if the chunk is not
+            positive.
+
+        Examples
+        --------
+        >>> grid = Grid("A~2")
+        >>> [len(found) for found in grid.locate_chunks(np.zeros((5, 2)), chunk=2)]
+        [2, 2, 1]
+        """
+        if chunk < 1:
+            raise InvalidInput(f"chunks of {chunk} points were asked for: give a positive number")
+        rows = points if isinstance(points, np.ndarray) else np.asarray(points)
+        return (self.locate(rows[i : i + chunk]) for i in range(0, len(rows), chunk))
+
+    def _locate_some(self, points: Floats, found: Found) -> None:
+        """Locate as many points as the cache holds."""
+        frame = self.frame
+        if points.shape[1] != self.dimension:
+            self._in_span(points)
+            self._locator.rounded(self._subgroup.into(points), None, found)
+        elif frame.kind == "helmert":
+            return self._locator.rounded(frame.aligned(points), frame.lengths, found)
+        else:
+            self._locator.rounded(self._subgroup.into(frame.inward(points)), None, found)
+        if frame.standard or points.shape[1] != self.dimension:
+            self._close(found, points)
 
     def _exactly(self, array: NDArray[Any]) -> Location:
         d, m = self.dimension, self._subgroup.ambient
@@ -154,7 +199,7 @@ class Grid(Alcoves):
                 f"{self.triangulation.name}"
             )
 
-    def _closed(self, found: Location, z: Floats) -> Location:
+    def _close(self, found: Found, z: Floats) -> None:
         """Decide what is open exactly: a float is a fraction."""
         rows = np.flatnonzero(found.open)
         if len(rows):
@@ -164,11 +209,6 @@ class Grid(Alcoves):
             found.keys[rows] = better.keys
             found.barycentric[rows] = better.barycentric.astype(np.float64)
             found.open[rows] = False
-        return found
-
-    @cached_property
-    def _locator(self) -> Locator:
-        return Locator(self._subgroup, self._centre, self.key_unit)
 
     # -- regions ---------------------------------------------------------------------------------------------
 

@@ -1,7 +1,7 @@
 """The same folding, compiled by Numba, point by point: the same keys, and coordinates that differ in no more
 than the last bits of a sum.
 
-Numba is optional; without it `folding` does all the work. Kinds are numbers here: A, B, C, D are 0, 1, 2, 3.
+Numba is optional; without it NumPy does all the work. Kinds are numbers here: A, B, C, D are 0 to 3.
 """
 
 from __future__ import annotations
@@ -13,88 +13,120 @@ from numba import njit
 
 SMALL = 40
 """Up to so many coordinates, counting for each those before it is the fastest way to sort."""
-STEPS = 64
-"""Room for so many rounds of sorting and reflecting; more are never needed near the fundamental simplex."""
+WIDTH = 8
+"""No exceptional group needs more coordinates."""
+GROUP = 16
+"""So many points go down a search tree side by side."""
 
 
 @njit(cache=True, inline="always")
-def rank_plain(order: Any, sizes: Any, n: int) -> None:
-    """Indices by sizes, the greatest first, equal ones in order: each counts those before it, branchless."""
-    for i in range(n):
-        size, before = sizes[i], 0
+def rank(order: Any, begin: int, sizes: Any, bounds: Any, c: int) -> None:
+    """Indices by sizes, the greatest first, as `sorting._rank`: each counts those before it, branchless."""
+    for i in range(c):
+        size, bound, before = sizes[i], bounds[i], 0
         for j in range(i):
-            before += sizes[j] >= size
-        for j in range(i + 1, n):
-            before += sizes[j] > size
-        order[before] = i
+            before += bounds[j] > size
+        for j in range(i + 1, c):
+            before += sizes[j] >= bound
+        order[begin + before] = i
 
 
 @njit(cache=True, inline="always")
-def rank_with_ties(order: Any, sizes: Any, ties: Any, n: int) -> None:
-    """The same; equal ones by another number, the least first."""
-    for i in range(n):
-        size, tie, before = sizes[i], ties[i], 0
-        for j in range(n):
-            before += (sizes[j] > size) | ((sizes[j] == size) & (ties[j] < tie))
-        order[before] = i
+def fold_plain(
+    z: Any,
+    row: int,
+    c: int,
+    wide: int,
+    rest: Any,
+    bits: Any,
+    bounds: Any,
+    turned: Any,
+    at: int,
+    shift: Any,
+    order: Any,
+    x: Any,
+) -> None:
+    """Floors, the order of what is left, and turning so that the lattice is met; x is the result, sorted.
 
-
-@njit(cache=True, inline="always")
-def fold_plain(z: Any, m: int, rest: Any, turned: Any, shift: Any, order: Any, x: Any) -> None:
-    """Floors, the order of what is left, and turning so that the lattice is met; x is the result, sorted."""
+    Reads c numbers from z[row] on, and writes from number `at` on.
+    """
     total = 0
-    for i in range(m):
-        floor = np.floor(z[i])
-        rest[i] = z[i] - floor
-        shift[i] = int(floor)
-        total += shift[i]
-    if m <= SMALL:
-        rank_plain(turned, rest, m)
+    for i in range(c):
+        floor = np.floor(z[row + i])
+        rest[i] = z[row + i] - floor
+        shift[at + i] = int(floor)
+        total += shift[at + i]
+    if c <= SMALL:
+        for i in range(c):
+            bounds[i] = bits[i] + 1
+        for i in range(c, wide):
+            bits[i] = bounds[i] = -1
+        rank(turned, 0, bits, bounds, wide)
     else:
-        turned[:m] = np.argsort(-rest[:m], kind="mergesort")
-    turn = (-total) % m
-    mean = (total + turn) // m
-    for j in range(m):
-        i = turned[j + turn - m * (j >= m - turn)]
-        lift = (j >= m - turn) - mean
-        order[j] = i
-        x[j] = rest[i] - lift
-        shift[i] += lift
+        turned[:c] = np.argsort(-rest[:c], kind="mergesort")
+    mean = int(np.ceil(total / c))
+    turn = c * mean - total
+    for j in range(c):
+        i = turned[j + turn - c * (j >= c - turn)]
+        lift = (j >= c - turn) - mean
+        order[at + j] = i
+        x[at + j] = rest[i] - lift
+        shift[at + i] += lift
 
 
 @njit(cache=True, inline="always")
 def fold_signed(
-    z: Any, d: int, kind: int, rest: Any, sizes: Any, ties: Any, shift: Any, order: Any, x: Any
+    z: Any,
+    row: int,
+    c: int,
+    wide: int,
+    kind: int,
+    rest: Any,
+    sizes: Any,
+    bits: Any,
+    bounds: Any,
+    at: int,
+    shift: Any,
+    order: Any,
+    signs: Any,
+    x: Any,
 ) -> None:
-    """Nearest integers, signs, sizes; x is the result, sorted, and `ties` ends as the signs in this order."""
+    """Nearest integers, signs, sizes; x is the result, sorted, and so are the signs."""
     odd = 0
-    for i in range(d):
-        nearest = np.floor((2.0 * z[i] + 1.0) / 2.0)
-        rest[i] = z[i] - nearest
-        shift[i] = int(nearest)
-        odd ^= shift[i] & 1
+    for i in range(c):
+        nearest = np.floor((2.0 * z[row + i] + 1.0) / 2.0)
+        rest[i] = z[row + i] - nearest
+        shift[at + i] = int(nearest)
+        odd ^= shift[at + i] & 1
         sizes[i] = abs(rest[i])
-        ties[i] = 2 * d - i if rest[i] < 0 else i
-    if d <= SMALL:
-        rank_with_ties(order, sizes, ties, d)
+    if c == 1:
+        order[at] = 0
+    elif c <= SMALL:
+        for i in range(c):
+            bounds[i] = bits[i] + (rest[i] >= 0)
+        for i in range(c, wide):
+            bits[i] = bounds[i] = -1
+        rank(order, at, bits, bounds, wide)
     else:
-        order[:d] = np.argsort(ties[:d], kind="mergesort")
-        order[:d] = order[:d][np.argsort(-sizes[order[:d]], kind="mergesort")]
+        for i in range(c):
+            bounds[i] = 2 * c - i if rest[i] < 0 else i
+        by_ties = np.argsort(bounds[:c], kind="mergesort")
+        order[at : at + c] = by_ties[np.argsort(-sizes[by_ties], kind="mergesort")]
     if kind != 2 and odd:
-        first = order[0]
+        first = order[at]
         way = -1 if rest[first] < 0 else 1
-        shift[first] += way
+        shift[at + first] += way
         rest[first] -= way
     flip = 1
-    for j in range(d):
-        i = order[j]
+    for j in range(c):
+        i = order[at + j]
         sign = -1 if rest[i] < 0 else 1
         flip *= sign
-        ties[j] = sign
-        x[j] = rest[i] * sign
+        signs[at + j] = sign
+        x[at + j] = rest[i] * sign
     if kind == 3 and flip < 0:
-        ties[d - 1] = -ties[d - 1]
-        x[d - 1] = -x[d - 1]
+        signs[at + c - 1] = -signs[at + c - 1]
+        x[at + c - 1] = -x[at + c - 1]
 
 
 @njit(cache=True)
@@ -105,7 +137,9 @@ def locate_classical(
     n, given = points.shape
     m = len(centre)
     z, rest, size_of, x = np.empty(m), np.empty(m), np.empty(m), np.empty(m)
-    shift, order, work = np.empty(m, np.int64), np.empty(m, np.int64), np.empty(m, np.int64)
+    shift, order, signs = np.empty(m, np.int64), np.empty(m, np.int64), np.empty(m, np.int64)
+    bounds, work = np.empty(m, np.int64), np.empty(m, np.int64)
+    rest_bits, size_bits = rest.view(np.int64), size_of.view(np.int64)
     for p in range(n):
         if given < m:
             total = 0.0
@@ -123,16 +157,16 @@ def locate_classical(
             size = max(size, abs(z[i]))
         sizes[p] = size
         if kind == 0:
-            fold_plain(z, m, rest, work, shift, order, x)
+            fold_plain(z, 0, m, m, rest, rest_bits, bounds, work, 0, shift, order, x)
             for j in range(m):
                 keys[p, order[j]] = shift[order[j]] * key_unit + centre[j]
             shares[p, 0] = 1.0 - (x[0] - x[m - 1])
             for j in range(1, m):
                 shares[p, j] = x[j - 1] - x[j]
             continue
-        fold_signed(z, m, kind, rest, size_of, work, shift, order, x)
+        fold_signed(z, 0, m, m, kind, rest, size_of, size_bits, bounds, 0, shift, order, signs, x)
         for j in range(m):
-            keys[p, order[j]] = shift[order[j]] * key_unit + work[j] * centre[j]
+            keys[p, order[j]] = shift[order[j]] * key_unit + signs[j] * centre[j]
         for j in range(1, m):
             shares[p, j] = 2.0 * (x[j - 1] - x[j])
         shares[p, m] = 2.0 * x[m - 1]
@@ -146,110 +180,97 @@ def locate_classical(
                 shares[p, m] = x[m - 2] + x[m - 1]
 
 
+@njit(cache=True, fastmath={"reassoc", "contract"})
+def find_cells(x: Any, count: int, walls: Any, children: Any, depth: int, finest: float, nodes: Any) -> None:
+    """Down the tree with several points side by side, which hides how long each step takes.
+
+    The sums are exact, so that their order may be changed.
+    """
+    for q in range(count):
+        nodes[q] = len(walls) - 1
+    for _ in range(depth):
+        for q in range(count):
+            node = nodes[q]
+            level = walls[node, WIDTH] * finest
+            for i in range(WIDTH):
+                level += x[q * WIDTH + i] * walls[node, i]
+            nodes[q] = children[node, int(level < 0)]
+
+
 @njit(cache=True)
-def locate_by_mirrors(
+def locate_in_cells(
     points: Any,
-    kind: int,
-    columns: Any,
-    normals: Any,
-    offsets: Any,
-    factors: Any,
-    divisors: Any,
-    left: Any,
-    weights: Any,
-    weight_scale: int,
-    doubled: Any,
-    marks: Any,
+    parts: Any,
+    walls: Any,
+    children: Any,
+    depth: int,
+    forms: Any,
+    centres: Any,
+    outward: Any,
+    below: int,
     key_unit: int,
-    centre: Any,
+    finest: float,
     keys: Any,
     shares: Any,
     sizes: Any,
-    rounding: float,
-) -> int:
-    """E6, E7, E8, F4, G2: sorting by the subgroup, and reflections in the walls that are left, in turn.
+) -> None:
+    """E6, E7, E8, F4, G2: sorting by the parts of the subgroup, then down the tree to the cell.
 
-    `normals` and `offsets` are those of all walls, doubled where they have halves; a reflection subtracts
-    level times factor over divisor. Returns the number of points for which there was no room for all steps.
+    Tables are filled up with zeros to a fixed width, so that the innermost loops are unrolled.
     """
-    n, m = points.shape
-    c, d = len(columns), len(marks) - 1
-    z, y, x = np.empty(m), np.empty(c), np.empty(c)
-    rest, size_of = np.empty(c), np.empty(c)
-    work = np.empty(c, np.int64)
-    orders, shifts = np.empty((STEPS, c), np.int64), np.empty((STEPS, c), np.int64)
-    signs, walls = np.empty((STEPS, c), np.int64), np.empty(STEPS, np.int64)
-    near, key, held = np.zeros(m, np.int64), np.empty(m, np.int64), np.empty(c, np.int64)
-    missing = 0
-    for p in range(n):
-        size = 1.0
-        for i in range(m):
-            z[i] = points[p, i]
-            size = max(size, abs(z[i]))
-            near[i] = 0
-        sizes[p] = size
-        for k in range(len(weights)):
-            count = 0.0
+    n, c = points.shape
+    m, labels = keys.shape[1], shares.shape[1]
+    x, fine, nodes = np.zeros(GROUP * WIDTH), np.empty(GROUP * WIDTH), np.empty(GROUP, np.int64)
+    order, signs = np.empty((GROUP + 1) * WIDTH, np.int64), np.ones(GROUP * WIDTH, np.int64)
+    shift, work, bounds = (
+        np.empty(GROUP * WIDTH, np.int64),
+        np.empty(WIDTH, np.int64),
+        np.empty(WIDTH, np.int64),
+    )
+    rest, size_of, level = np.empty(WIDTH), np.empty(WIDTH), np.empty(WIDTH + 1)
+    rest_bits, size_bits = rest.view(np.int64), size_of.view(np.int64)
+    key, image, z = np.zeros(WIDTH, np.int64), np.empty(WIDTH, np.int64), points.ravel()
+    for begin in range(0, n, GROUP):
+        count = min(GROUP, n - begin)
+        for q in range(count):
+            p, at = begin + q, q * WIDTH
+            size = 1.0
+            for i in range(c):
+                size = max(size, abs(points[p, i]))
+            sizes[p] = size
+            for part in range(len(parts)):
+                kind, start, w = parts[part, 0], parts[part, 1], parts[part, 2]
+                row, to = p * c + start, at + start
+                if kind == 0:
+                    fold_plain(z, row, w, WIDTH, rest, rest_bits, bounds, work, to, shift, order, x)
+                else:
+                    fold_signed(
+                        z, row, w, WIDTH, kind, rest, size_of, size_bits, bounds, to, shift, order, signs, x
+                    )
+                for j in range(to, to + w):
+                    order[j] += start
+        for i in range(len(x)):
+            fine[i] = np.rint(x[i] * finest)
+        find_cells(fine, count, walls, children, depth, finest, nodes)
+        for q in range(count):
+            p, at, cell = begin + q, q * WIDTH, nodes[q]
+            for k in range(WIDTH + 1):
+                level[k] = forms[cell, WIDTH, k]
+            for i in range(c):
+                for k in range(WIDTH + 1):
+                    level[k] += x[at + i] * forms[cell, i, k]
+            for k in range(labels):
+                shares[p, k] = level[k]
+            for j in range(c):
+                i = order[at + j]
+                key[i] = shift[at + i] * key_unit + signs[at + j] * centres[cell, j]
+            for i in range(WIDTH):
+                image[i] = 0
+            for j in range(c):
+                for i in range(WIDTH):
+                    image[i] += key[j] * outward[j, i]
             for i in range(m):
-                count += z[i] * weights[k, i]
-            whole = int(np.floor((2.0 * count + weight_scale) / (2.0 * weight_scale)))
-            for i in range(m):
-                near[i] += whole * doubled[k, i]
-        for i in range(m):
-            z[i] -= near[i] * 0.5
-        steps = 0
-        while steps < STEPS:
-            for j in range(c):
-                y[j] = z[columns[j]]
-            if kind == 0:
-                fold_plain(y, c, rest, work, shifts[steps], orders[steps], x)
-                signs[steps, :] = 1
-            else:
-                fold_signed(y, c, kind, rest, size_of, work, shifts[steps], orders[steps], x)
-                signs[steps, :] = work
-            for j in range(c):
-                z[columns[j]] = x[j]
-            crossed = -1
-            for k in left:
-                level = -1.0 * offsets[k]
-                for i in range(m):
-                    if normals[k, i] != 0:
-                        level = level + z[i] * normals[k, i]
-                if level < -rounding:
-                    crossed = k
-                    amount = level * factors[k] / divisors[k]
-                    for i in range(m):
-                        z[i] = z[i] - amount * normals[k, i]
-                    break
-            walls[steps] = crossed
-            steps += 1
-            if crossed < 0:
-                break
-        missing += walls[steps - 1] >= 0
-        for k in range(d + 1):
-            level = -1.0 * offsets[k]
-            for i in range(m):
-                if normals[k, i] != 0:
-                    level = level + z[i] * normals[k, i]
-            shares[p, k] = level * marks[k]
-        for i in range(m):
-            key[i] = centre[i]
-        for step in range(steps - 1, -1, -1):
-            k = walls[step]
-            if k >= 0:
-                level_ = -offsets[k] * key_unit
-                for i in range(m):
-                    level_ += key[i] * normals[k, i]
-                level_ *= factors[k]
-                for i in range(m):
-                    key[i] -= level_ * normals[k, i] // divisors[k]
-            for j in range(c):
-                held[orders[step, j]] = signs[step, j] * key[columns[j]]
-            for j in range(c):
-                key[columns[j]] = held[j] + shifts[step, j] * key_unit
-        for i in range(m):
-            keys[p, i] = key[i] + near[i] * key_unit // 2
-    return missing
+                keys[p, i] = image[i] if below == 1 else int(np.rint(image[i] / below))
 
 
 @njit(cache=True)

@@ -11,17 +11,18 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from ..errors import InvalidInput
-from .compiled import fold_compiled, settle_compiled
+from .cells import Cells
+from .compiled import locate_compiled, settle_compiled
 from .coordinates import barycentric
-from .folding import fold
+from .folding import Folded, fold
 from .frames import Frame, from_helmert
 from .subgroups import Ints, Subgroup
 
 Floats = NDArray[np.float64]
 LARGEST = 2.0**40
-"""Coordinates of the roots up to which floats are taken: 12 bits are left below the unit."""
-CHUNK = 1 << 14
-"""So many points at a time are held in intermediate arrays, which then stay in the cache."""
+"""Coordinates up to which floats are taken: 12 bits are left below the unit."""
+NUMBERS = 1 << 15
+"""So many numbers at a time are held in intermediate arrays, which then stay in the cache."""
 
 
 @dataclass(frozen=True)
@@ -32,54 +33,68 @@ class Found:
     barycentric: NDArray[Any]
     open: NDArray[np.bool_]
 
+    def __getitem__(self, rows: slice) -> Found:
+        """A view of some rows."""
+        return Found(self.keys[rows], self.barycentric[rows], self.open[rows])
+
 
 @dataclass(frozen=True, eq=False)
 class Locator:
-    """Locates points given in the coordinates of the roots."""
+    """Locates points given in the coordinates y of the subgroup."""
 
     subgroup: Subgroup
+    cells: Cells | None
     centre: Ints
     key_unit: int
 
-    def rounded(self, z: Floats, lengths: Floats | None = None) -> Found:
-        """For floats (n, m); or (n, d), in Helmert's coordinates of A~d, if his lengths are given."""
-        factor = len(self.centre) * max(self.subgroup.triangulation.marks) * 2.0**-48
-        made = fold_compiled(self, z, lengths)
-        if made:
-            keys, shares, sizes = made
-            check_size(sizes)
-            return Found(keys, shares, settle_compiled(shares, sizes, factor))
-        if lengths is not None:
-            z = from_helmert(z, lengths)
-        sizes = np.abs(z).max(axis=1, initial=1.0)
-        check_size(sizes)
-        folded = fold(self.subgroup, z, 1.0)
-        shares = barycentric(self.subgroup, folded.points, 1.0)
-        return Found(self.keys(folded, len(z)), *settle(shares, sizes * factor))
+    @property
+    def shares_of_centre(self) -> Ints:
+        """The barycentric coordinates m_k / h, times the unit of keys."""
+        marks = np.array(self.subgroup.triangulation.marks)
+        return np.asarray(marks * (self.key_unit // marks.sum()))
 
-    def keys(self, folded: Any, n: int) -> Ints:
+    def rounded(self, y: Floats, lengths: Floats | None, found: Found) -> None:
+        """For floats (n, c); or (n, d), in Helmert's coordinates of A~d, if his lengths are given."""
+        factor = len(self.centre) * max(self.subgroup.triangulation.marks) * 2.0**-48
+        sizes = locate_compiled(self, y, lengths, found)
+        if sizes is not None:
+            check_size(sizes)
+            return settle_compiled(found.barycentric, sizes, factor, found.open)
+        columns = np.ascontiguousarray(y.T)
+        if lengths is not None:
+            columns = from_helmert(columns, lengths)
+        sizes = np.abs(columns).max(axis=0, initial=1.0)
+        check_size(sizes)
+        folded = fold(self.subgroup, self.cells, columns, 1.0)
+        found.barycentric[:], found.open[:] = settle(barycentric(folded, 1.0), sizes * factor)
+        found.keys[:] = self.keys(folded)
+
+    def keys(self, folded: Folded) -> Ints:
         """The images of the centre."""
-        images: Ints = folded.undo(np.broadcast_to(self.centre, (n, 1, len(self.centre))), self.key_unit)[
-            :, 0
-        ]
+        images: Ints = folded.undo(self.centre[None], self.shares_of_centre[None], self.key_unit)[:, 0]
         return images
 
+    def fold(self, z: NDArray[Any], unit: int) -> Folded:
+        """Integers (n, m) in the coordinates of the roots, folded."""
+        return fold(self.subgroup, self.cells, self.subgroup.into(z).T, unit)
+
     def exact(self, numerators: NDArray[Any], denominator: int) -> Found:
-        """For integers (n, m) over a common denominator."""
+        """For integers (n, m) over a common denominator, in the coordinates of the roots."""
         unit = 12 * denominator
-        folded = fold(self.subgroup, 12 * numerators, unit)
-        shares = barycentric(self.subgroup, folded.points, unit)
-        keys = self.keys(folded, len(numerators))
+        folded = self.fold(12 * numerators, unit)
+        shares = barycentric(folded, unit).T
         fractions = np.frompyfunc(lambda x: Fraction(int(x), unit), 1, 1)(shares)
-        return Found(keys, np.asarray(fractions, dtype=object), np.zeros(len(keys), dtype=bool))
+        return Found(
+            self.keys(folded), np.asarray(fractions, dtype=object), np.zeros(len(shares), dtype=bool)
+        )
 
 
 def settle(shares: Floats, bounds: Floats) -> tuple[Floats, NDArray[np.bool_]]:
-    """Barycentric coordinates without what rounding left below zero; which points are too close to tell."""
-    near = shares.min(axis=1, initial=1.0) <= bounds
-    np.maximum(shares, 0.0, out=shares)
-    shares /= shares.sum(axis=1, keepdims=True)
-    return shares, near
+    """Barycentric coordinates (n, d + 1), from columns, without what rounding left below zero; which
+    points are too close to tell."""
+    near = shares.min(axis=0, initial=1.0) <= bounds
+    shares = np.maximum(shares, 0.0)
+    return (shares / shares.sum(axis=0)).T, near
 
 
 # -- reading ------------------------------------------------------------------------------------------------
@@ -108,6 +123,17 @@ def read(points: ArrayLike, frame: Frame, columns: tuple[int, int]) -> NDArray[A
         return array.astype(object) if frame.standard or array.shape[1] != d else array.astype(np.float64)
     if array.dtype.kind != "f":
         raise InvalidInput(f"an array of {array.dtype} was given: points are floats, integers or fractions")
+    return array
+
+
+def as_floats(array: NDArray[Any]) -> Floats:
+    """Some rows as finite floats.
+
+    Raises
+    ------
+    InvalidInput
+        If a number is not finite.
+    """
     array = array.astype(np.float64, copy=False)
     if not np.isfinite(array).all():
         row = int(np.flatnonzero(~np.isfinite(array).all(axis=1))[0])
