@@ -102,7 +102,7 @@ class Simplices:
 
     @cached_property
     def error(self) -> Floats:
-        """A bound for the relative error, ``16·d·m·κ·2^-53``, where ``κ = |R|·|R^-1|`` in the norm of Frobenius.
+        """A bound for the relative error: ``16·d·m·κ·2^-53``, ``κ = |R|·|R^-1|`` in the norm of Frobenius.
 
         The edges are rounded once, Householder's QR is that of edges moved by about d·m units of rounding,
         and each number changes by at most some κ times as much. Infinite where R is singular.
