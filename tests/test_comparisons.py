@@ -20,7 +20,6 @@ from coxeter import (
 )
 from coxeter.figures import quality_curves
 from coxeter.peers import DEFAULT, PEERS, find_peer
-from coxeter.peers.cubes import pairs
 from coxeter.peers.fillers import BCC
 from coxeter.quality import MEASURES, MESH_MEASURES, mean_ratio
 from coxeter.tables import measure_table
@@ -38,6 +37,11 @@ def covering(cells, x):
     weights = [oracle.barycentric(cell, x) for cell in cells]
     held = [w for w in weights if min(w) >= 0]
     return len(held), all(min(w) > 0 for w in held)
+
+
+def pairs(cell):
+    """The squared edges, in order of size: cells with different lists are not congruent."""
+    return sorted(oracle.squared_edges(cell).values())
 
 
 def random_point(rng, low, high, d):

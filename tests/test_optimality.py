@@ -38,6 +38,7 @@ from coxeter.optimality import (
     local_optimality,
     part_around_centre,
 )
+from coxeter.peers import find_peer
 from coxeter.proofs.images import examples, mean_by_sum
 
 PAPER = ("aspect_ratio", "fatness", "thickness", "radius_ratio")
@@ -185,7 +186,7 @@ def test_refusals():
     with pytest.raises(InvalidInput, match="only images of A~"):
         _ = affine_image("C~3").relative_protection
     with pytest.raises(InvalidInput, match="no coordinates"):
-        _ = hill(3, 0).vertex_matrix
+        _ = part_around_centre(hill(3, "-1/3")).vertex_matrix
     with pytest.raises(Undecided, match="too many"):
         affine_image("E~8").quality("thickness")
 
@@ -329,6 +330,18 @@ def test_parts_have_their_share_of_the_volume(d):
     assert part_around_centre(a).volume * (d + 1) == a.volume
     assert all(half.volume * 2 == a.volume for half in halves(a).values())
     assert len(halves(a)) == (d + 1) // 2
+
+
+@pytest.mark.parametrize(("w", "q"), [("-1/3", "1/4"), (0, "1"), ("1/3", "5/2")])
+def test_halves_in_space_are_the_families_of_goldberg(w, q):
+    def lengths(simplex):
+        return Counter(simplex.squared_edge_lengths[i, j] for i, j in combinations(range(4), 2))
+
+    found = halves(hill(3, w))
+    for family, pair in ((2, (0, 3)), (3, (1, 2))):
+        half, theirs = found[pair], find_peer(f"goldberg-{family}:{q}").classes(3)[0]
+        assert lengths(half) == lengths(theirs)
+        assert half.squared_circumradius == theirs.squared_circumradius
 
 
 @pytest.mark.parametrize("d", [2, 3, 5])

@@ -98,17 +98,26 @@ class Interpolation:
         return np.asarray(self.matrix.T @ _rows(values, self.matrix.shape[0], "points"))
 
 
+def vertices_of(grid: Grid, keys: Ints) -> tuple[Vertices, Ints]:
+    """The vertices of simplices, each once; and for each simplex the places of its own, by labels.
+
+    The first d coordinates of a root's span fix the others.
+    """
+    rows, corners = distinct(grid.corners(keys), grid.dimension)
+    labels = np.empty(len(rows), dtype=np.int64)
+    labels[corners] = np.arange(grid.dimension + 1)
+    return Vertices(grid, rows, labels), corners
+
+
 def interpolation_at(grid: Grid, points: ArrayLike) -> Interpolation:
     """The vertices of the simplices that hold points, and their shares."""
     found = grid.locate(points)
     n, c = found.barycentric.shape
     keys, which = distinct(found.keys, grid.dimension)
-    rows, corners = distinct(grid.corners(keys), grid.dimension)
-    labels = np.empty(len(rows), dtype=np.int64)
-    labels[corners] = np.arange(c)
+    vertices, corners = vertices_of(grid, keys)
     shares = found.barycentric.astype(np.float64).reshape(-1)
     entries = (shares, corners[which].reshape(-1), np.arange(n + 1) * c)
-    return Interpolation(Vertices(grid, rows, labels), csr_array(entries, shape=(n, len(rows))))
+    return Interpolation(vertices, csr_array(entries, shape=(n, len(vertices))))
 
 
 def _rows(values: Any, n: int, what: str) -> Floats:

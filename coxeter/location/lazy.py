@@ -11,14 +11,12 @@ import numpy as np
 from numpy.typing import NDArray
 
 from ..errors import InvalidInput
+from ..meshes.judging import is_lazy
+
+__all__ = ["is_lazy", "locate_lazily", "vertices_lazily"]
 
 if TYPE_CHECKING:
     from .grid import Grid
-
-
-def is_lazy(array: object) -> bool:
-    """Whether something is a Dask array."""
-    return hasattr(array, "__dask_graph__") and hasattr(array, "map_blocks")
 
 
 def locate_lazily(grid: Grid, points: Any) -> tuple[Any, Any, Any]:

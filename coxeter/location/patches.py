@@ -7,8 +7,9 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from ..meshes import Mesh
+from .interpolation import Vertices, vertices_of
 from .regions import Search
-from .rows import addends, codes, distinct, in_order, numbered
+from .rows import addends, codes, in_order, numbered
 from .subgroups import Ints
 
 if TYPE_CHECKING:
@@ -16,14 +17,8 @@ if TYPE_CHECKING:
 
 
 def patch_of(grid: Grid, keys: Ints, oriented: bool = False) -> Mesh:
-    """The mesh of simplices given by their keys.
-
-    The first d coordinates of a root's span fix the others.
-    """
-    points, cells = distinct(grid.corners(keys), grid.dimension)
-    labels = np.empty(len(points), dtype=np.int64)
-    labels[cells] = np.arange(grid.dimension + 1)
-    return _mesh(grid, points, labels, cells, oriented)
+    """The mesh of simplices given by their keys."""
+    return _mesh(*vertices_of(grid, keys), oriented)
 
 
 def patch_in(found: Search, oriented: bool = False) -> Mesh:
@@ -48,13 +43,13 @@ def patch_in(found: Search, oriented: bool = False) -> Mesh:
     owner[cells] = np.arange(cells.size).reshape(cells.shape)
     cell, labels = np.divmod(owner, d + 1)
     points = lattice[vectors[cell]] + star.points[star.corners[simplices[cell], labels]]
-    return _mesh(grid, points, labels, cells, oriented)
+    return _mesh(Vertices(grid, points, labels), cells, oriented)
 
 
-def _mesh(grid: Grid, rows: Ints, labels: Ints, cells: Ints, oriented: bool) -> Mesh:
-    points = grid.frame.outward(rows / grid.vertex_unit)
+def _mesh(vertices: Vertices, cells: Ints, oriented: bool) -> Mesh:
+    points = vertices.positions
     if oriented:
         edges = points[cells[:, 1:]] - points[cells[:, :1]]
         turned = np.flatnonzero(np.linalg.det(edges) < 0)
         cells[turned, -2:] = cells[turned, :-3:-1]
-    return Mesh(points, cells, {"label": labels})
+    return Mesh(points, cells, {"label": vertices.labels})

@@ -102,7 +102,7 @@ class Simplices:
 
     @cached_property
     def error(self) -> Floats:
-        """A bound for the relative error, 16·d·m·κ·2^-53, where κ = |R|·|R^-1| in the norm of Frobenius.
+        """A bound for the relative error: ``16·d·m·κ·2^-53``, ``κ = |R|·|R^-1|`` in the norm of Frobenius.
 
         The edges are rounded once, Householder's QR is that of edges moved by about d·m units of rounding,
         and each number changes by at most some κ times as much. Infinite where R is singular.
@@ -169,7 +169,7 @@ class Simplices:
 
     @cached_property
     def volume(self) -> Values:
-        """The d-dimensional volume, |det R| / d!, shape (n,)."""
+        """The d-dimensional volume, ``|det R| / d!``, shape (n,)."""
         r, _, size = self._factors
         shares = np.abs(np.diagonal(r, axis1=1, axis2=2)) * size[:, None] / np.arange(1, self.dimension + 1)
         return self._known(shares.prod(axis=1))
@@ -237,8 +237,8 @@ class Simplices:
     def minimal_solid_angle(self) -> Values:
         """The smallest solid angle at a vertex, as a share of the whole sphere, shape (n,); for d = 2 and 3.
 
-        For d = 3 by tan(Ω/2) = |det(a, b, c)| / (|a||b||c| + (a·b)|c| + (b·c)|a| + (c·a)|b|) with the edges
-        a, b, c at the vertex (van Oosterom, Strackee 1983).
+        For d = 3 by ``tan(Ω/2) = |det(a, b, c)| / (|a||b||c| + (a·b)|c| + (b·c)|a| + (c·a)|b|)`` with the
+        edges a, b, c at the vertex (van Oosterom, Strackee 1983).
         """
         if self.dimension == 2:
             return self._known(self._dihedral_angles.min(axis=1) / (2 * math.pi))

@@ -1,10 +1,11 @@
 """Simplices that fill space, in every dimension, beside those of Coxeter triangulations.
 
-* *Hill's simplices*, after Hill (1896, d = 3) and Hadwiger (1951): the steps b_1 … b_d of a path have length
-  1 and the products w. Those of all orders of the steps fill the parallelepiped of b_1 … b_d, and its
-  translates space. For w = 0 it is Kuhn's simplex, or that of C~d, for w = -1/d that of A~d.
+* *Hill's simplices*, after Hill (1896, d = 3) and Hadwiger (1951): the steps b_1 … b_d of a path have equal
+  lengths, and any two the cosine w. Why they fill space is said in `coxeter.peers.fillers`, where they are
+  made. For w = 0 it is Kuhn's simplex, or that of C~d, for w = -1/d that of A~d.
 * *Their halves*: read backwards a path is congruent to itself. This exchanges each vertex k with d - k; the
   plane through the midpoint of such a pair and all other vertices cuts the simplex into congruent halves.
+  For d = 3 these are Goldberg's families 2 and 3.
 * *Their parts around the centre*: joined with the barycentre, the d + 1 facets of A~d's simplex give
   congruent parts, as a rotation of its diagram carries each facet to each other.
 
@@ -19,12 +20,16 @@ from fractions import Fraction
 
 from ..errors import InvalidInput
 from ..exact import RationalMatrix, rational
+from ..peers import find_peer
 from ..simplex import Simplex
 from .images import simplex_of_gram
 
 
 def hill(d: int, w: object) -> Simplex:
-    """Hill's simplex with the vertices 0, b_1, b_1 + b_2 …: unit vectors with the products <b_i, b_j> = w.
+    """Hill's simplex with the vertices 0, b_1, b_1 + b_2 …: equal lengths, any two steps with the cosine w.
+
+    The steps of K1, stretched along the diagonal by √q, have the products (q - 1)/d, and (q - 1)/d + 1 with
+    themselves. So q = 1 + d·w/(1 - w).
 
     Parameters
     ----------
@@ -45,12 +50,10 @@ def hill(d: int, w: object) -> Simplex:
     """
     if isinstance(d, bool) or not isinstance(d, int) or d < 2:
         raise InvalidInput(f"{d!r} is no dimension of Hill simplices: give an integer >= 2")
-    product = rational(w)
-    if not Fraction(-1, d - 1) < product < 1:
+    cosine = rational(w)
+    if not Fraction(-1, d - 1) < cosine < 1:
         raise InvalidInput(f"w = {w} is out of range: give a number between -1/{d - 1} and 1")
-    steps = RationalMatrix.from_rows([[1 if i == j else product for j in range(d)] for i in range(d)])
-    sums = RationalMatrix.from_rows([[int(j <= i) for j in range(d)] for i in range(d)])
-    return simplex_of_gram(sums @ steps @ sums.T)
+    return find_peer(f"hill:{1 + d * cosine / (1 - cosine)}").classes(d)[0]
 
 
 def halves(simplex: Simplex) -> dict[tuple[int, int], Simplex]:

@@ -8,7 +8,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
 from fractions import Fraction
-from itertools import accumulate, combinations, permutations, product
+from itertools import accumulate, permutations, product
 
 Point = tuple[Fraction, ...]
 Cell = list[Point]
@@ -65,7 +65,10 @@ def path(d: int, length: Fraction = Fraction(1)) -> list[Cell]:
 
 
 def dang(d: int) -> Iterator[Cell]:
-    """D1 on the unit cube: the corner at 0, and the simplices of `_descent` for all orders of the steps."""
+    """D1 on the unit cube: the corner at 0, and the simplices of `_descent` for all orders of the steps.
+
+    Source: Dang 1991, with vertices y + s_i e_i and descents from y + s, here for y = 0 and s = (1, …, 1).
+    """
     yield _descent(d, None)
     for steps in range(d - 1):
         for order in permutations(range(d), steps):
@@ -111,10 +114,3 @@ def corners_classes(d: int) -> list[Cell]:
     """What is left in the middle, and the corner."""
     cells = list(corners(d))
     return [cells[-1], cells[0]]
-
-
-def pairs(cell: Cell) -> list[Fraction]:
-    """The squared edges of a cell, in order of size: cells with different lists are not congruent."""
-    return sorted(
-        sum(((a - b) ** 2 for a, b in zip(x, y, strict=True)), Fraction(0)) for x, y in combinations(cell, 2)
-    )

@@ -47,8 +47,7 @@ def hill(d: int, stretch: Fraction) -> Iterator[list[tuple[Exact, ...]]]:
 
     The d steps b_i of a path have equal lengths, and equal inner products with each other. So each
     permutation of the steps is an isometry, and the d! paths from corner to corner of the parallelepiped of
-    the b_i are congruent. As a linear map carries K1 to
-    them, they tile it; and its translates tile space.
+    the b_i are congruent. As a linear map carries K1 to them, they tile it; and its translates tile space.
     """
     for order in permutations(range(d)):
         yield hill_path(d, stretch, order)
@@ -68,14 +67,12 @@ def goldberg(family: int, stretch: Fraction) -> Iterator[list[tuple[Exact, ...]]
 
     A half-turn exchanges v0 with v3 and v1 with v2. A plane through its axis, that through v1, v2 and the
     middle of v0 v3 (family 2) or that through v0, v3 and the middle of v1 v2 (family 3), is carried to
-    itself, so it cuts the tetrahedron into congruent halves.
+    itself, so it cuts the tetrahedron into congruent halves. `coxeter.optimality.halves` has them for any d.
     """
-    v0, v1, v2, v3 = hill_path(3, stretch, (0, 1, 2))
+    path = hill_path(3, stretch, (0, 1, 2))
     if family == 1:
-        yield [v0, v1, v2, v3]
-    elif family == 2:
-        m = middle(v0, v3)  # type: ignore[arg-type]
-        yield from ([v0, v1, v2, m], [v3, v1, v2, m])
+        yield path
     else:
-        m = middle(v1, v2)  # type: ignore[arg-type]
-        yield from ([v0, v1, v3, m], [v0, v2, v3, m])
+        k = family - 2
+        m = middle(path[k], path[3 - k])  # type: ignore[arg-type]
+        yield from ([m if i == j else v for i, v in enumerate(path)] for j in (3 - k, k))

@@ -95,7 +95,7 @@ def _fixed(cells: Callable[..., Iterator[Any]], *given: Any) -> tuple[Cells, Cal
     return (lambda d: cells(*given)), (lambda d: [next(iter(cells(*given)))])
 
 
-_KUHN = "H. Freudenthal, Ann. of Math. 43 (1942); H. W. Kuhn, IBM J. 4 (1960)"
+_KUHN = "H. Freudenthal, Ann. of Math. 43 (1942); H. W. Kuhn, IBM J. Res. Dev. 4 (1960)"
 _SOMMERVILLE = "D. M. Y. Sommerville, Proc. Edinburgh Math. Soc. 41 (1923)"
 _GOLDBERG = "M. Goldberg, J. Combin. Theory A 16 (1974)"
 
@@ -168,7 +168,7 @@ def _member(family: str, q: Fraction) -> Peer:
             return [fillers.hill_path(d, q, tuple(range(d)))]
 
         words = f"Hill and Hadwiger: K1 stretched along the diagonal by the root of {q}"
-        source = "M. J. M. Hill, Proc. LMS 27 (1895); H. Hadwiger, Gaz. Mat. 50 (1951)"
+        source = "M. J. M. Hill, Proc. LMS 27 (1896); H. Hadwiger, Gaz. Mat. 12 (1951)"
         return Peer(f"hill:{q}", words, source, 2, None, lambda d: fillers.hill(d, q), shape)
     number = int(family[-1])
     words = f"Goldberg's family {number}, stretched by the root of {q}"
