@@ -233,8 +233,8 @@ def _beyond_in_protection() -> str:
     if not affine_images("relative_protection").replay(2):
         raise CoxeterError("the proof was not tried")
     return (
-        "No affine image of $\\tilde A_d$ is better protected, for every d, and no lattice in the plane or in "
-        "space."
+        "No affine image of $\\tilde A_d$ is better protected, for every d, and no lattice in the plane "
+        "or in space."
     )
 
 
