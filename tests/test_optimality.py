@@ -371,8 +371,9 @@ def test_hill_curves_have_their_greatest_value_at_a(d):
     assert {figure.data.best(of) for of in PAPER} == {Fraction(-1, d)}
     assert figure.alt.count(f"at w = -1/{d}") == 4
     assert figure.svg.count("<path") >= 4
-    with pytest.raises(InvalidInput):
-        hill_curves(1)
+    for wrong in (1, "3"):
+        with pytest.raises(InvalidInput, match="no dimension"):
+            hill_curves(wrong)
 
 
 def test_fillers_that_are_refused():
