@@ -238,6 +238,25 @@ def test_relative_protection_of_a_itself(d):
     assert affine_image(("A", d)).relative_protection == protection(triangulation(("A", d))).relative
 
 
+@given(st.lists(st.integers(1, 9), min_size=10, max_size=10), st.sampled_from([2, 3]))
+@settings(max_examples=15, deadline=None)
+def test_powers_of_an_image_from_its_weights(weights, d):
+    """Random obtuse superbases, against the search; a negative weight takes protection away."""
+
+    def from_weights(p):
+        b = [[sum(p[i]) if i == j else -p[i][j] for j in range(d + 1)] for i in range(d + 1)]
+        sums = RationalMatrix.from_rows([[int(1 <= j <= i) for j in range(d + 1)] for i in range(1, d + 1)])
+        return image(("A", d), sums @ RationalMatrix.from_rows(b) @ sums.T)
+
+    p = [[0] * (d + 1) for _ in range(d + 1)]
+    for (i, j), x in zip(combinations(range(d + 1), 2), weights, strict=False):
+        p[i][j] = p[j][i] = Fraction(x)
+    assert (from_weights(p).relative_protection + 1) ** 2 == protection_by_search(from_weights(p))
+    p[0][1] = p[1][0] = Fraction(-1, 9)
+    assert from_weights(p).relative_protection == 0
+    assert protection_by_search(from_weights(p)) < 1
+
+
 # -- sharpness -----------------------------------------------------------------------------------------------
 
 
@@ -277,6 +296,21 @@ def test_rank_tells_linear_from_slower_descent():
         ("radius_ratio", to_pair, 1),
     ]:
         assert loss(weights, of, small) / loss(weights, of, smaller) == pytest.approx(10**order, rel=0.05)
+
+
+def test_c2_may_be_stretched_along_a_leg_but_not_along_a_hypotenuse():
+    """The first costs nothing to first order, the second does."""
+    vertices = triangulation("C~2").simplex.vertex_matrix
+    home = float(affine_image("C~2").quality("thickness"))
+
+    def loss(rows):
+        moved = affine_image("C~2", Simplex((vertices @ RationalMatrix.from_rows(rows)).rows()))
+        return (home - float(moved.quality("thickness"))) * 1000
+
+    t = Fraction(1, 1000)
+    along_leg, along_hypotenuse = [[1 + t, 0], [0, 1]], [[1 + t, t], [t, 1 + t]]
+    assert loss(along_leg) < 0.001
+    assert loss(along_hypotenuse) > 0.9
 
 
 def test_ranks_that_are_refused():
@@ -350,8 +384,9 @@ def test_hill_curves_have_their_greatest_value_at_a(d):
     assert {figure.data.best(of) for of in PAPER} == {Fraction(-1, d)}
     assert figure.alt.count(f"at w = -1/{d}") == 4
     assert figure.svg.count("<path") >= 4
-    with pytest.raises(InvalidInput):
-        hill_curves(1)
+    for wrong in (1, "3"):
+        with pytest.raises(InvalidInput, match="no dimension"):
+            hill_curves(wrong)
 
 
 def test_fillers_that_are_refused():
@@ -417,6 +452,36 @@ def test_spheres_with_too_many_atoms_are_refused():
         _ = fcc.cells
     with pytest.raises(InvalidInput, match="not all simplices"):
         _ = Crystal("A15 without an atom", 4, A15.atoms[1:]).cells
+
+
+def test_large_periods_are_exact():
+    """Products beyond 64 bits: an atom is moved by a few parts in a hundred thousand."""
+    scale = 10**5
+    _, *others = (tuple(scale * x for x in atom) for atom in A15.atoms)
+    near = Crystal("A15, nearly", 4 * scale, ((1, 2, 3), *others))
+    assert len(near.cells) == len(A15.cells)
+    assert 0 < float(A15.relative_protection) - float(near.relative_protection) < 1e-4
+
+
+def test_atoms_may_be_given_in_any_period():
+    far = Crystal("A15", 4, tuple(tuple(x + 40 * (x % 2) - 8 for x in atom) for atom in A15.atoms))
+    assert list(far.kinds.values()) == list(A15.kinds.values())
+    assert far.relative_protection == A15.relative_protection
+
+
+@pytest.mark.parametrize(("crystal", "acute"), [(BCC, False), (A15, True), (C15, True)])
+def test_tetrahedra_of_the_alloys_are_acute(crystal, acute):
+    """As Eppstein, Sullivan and Üngör have it; those of A~3 have right angles."""
+    cosines = [s.dihedral_cosine(i, j).sign() for s in crystal.kinds for i, j in combinations(range(4), 2)]
+    assert (min(cosines) > 0) == acute
+
+
+def test_crystals_that_are_refused():
+    for period, atoms in [(0, ((0, 0, 0),)), (2, ()), (2, ((0, 0), (1, 1, 1))), (2, ((0.5, 0, 0),))]:
+        with pytest.raises(InvalidInput):
+            Crystal("bad", period, atoms)
+    with pytest.raises(InvalidInput, match="not all simplices"):
+        _ = Crystal("cubic", 1, ((0, 0, 0),)).cells
 
 
 def test_a_moved_atom_changes_what_is_found():

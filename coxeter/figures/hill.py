@@ -42,7 +42,8 @@ def hill_curves(d: int) -> Figure[HillCurves]:
     >>> hill_curves(3).data.best("thickness")
     Fraction(-1, 3)
     """
-    low = Fraction(-1, d - 1) if d > 1 else Fraction(-1)
+    hill(d, 0)  # refuses what is no dimension
+    low = Fraction(-1, d - 1)
     inner = {low + (1 - low) * Fraction(k, _POINTS) for k in range(1, _POINTS)}
     simplices = {w: hill(d, w) for w in sorted(inner | {Fraction(-1, d), Fraction(0)})}
     curves = {m.name: tuple((w, m.normalized(s)) for w, s in simplices.items()) for m in PAPER_MEASURES}

@@ -5,11 +5,14 @@ from __future__ import annotations
 from fractions import Fraction
 from functools import lru_cache
 
+from ..affine import triangulation
 from ..delaunay import protection
 from ..errors import CoxeterError, InvalidInput
 from ..exact import Surd
 from ..families import closed_form
 from ..names import MINIMAL_DIMENSION
+from ..optimality import A15, C15
+from ..proofs.images import affine_images
 from ..quality import PAPER_MEASURES, find_measure
 from .claim import Constants, Finding, agree
 from .instances import all_types, of_type
@@ -207,14 +210,42 @@ def a_is_best() -> bool:
     return best
 
 
+@lru_cache(maxsize=1)
+def _beyond_in_quality() -> str:
+    tries = [affine_images(m.name).replay(2) for m in PAPER_MEASURES]  # raises an error where a proof fails
+    home = triangulation("A~3").simplex
+    better = {
+        m.name.replace("_", " "): [c.name for c in (A15, C15) if c.quality(m) > m(home)]
+        for m in PAPER_MEASURES
+    }
+    found = ", ".join(f"{' and '.join(names)} in {name}" for name, names in better.items() if names)
+    if not (all(tries) and found) or all(better.values()):
+        raise CoxeterError("a proof was not tried, or crystals are better than A~3 in no measure or in all")
+    return (
+        "No affine image of a Coxeter triangulation is better than $\\tilde A_d$, for every d. In the plane "
+        "its triangles are regular, so none are better. In space crystals are better than $\\tilde A_3$: "
+        f"{found}, but none in all measures. That is one dimension, and says nothing of the order in d."
+    )
+
+
+@lru_cache(maxsize=1)
+def _beyond_in_protection() -> str:
+    if not affine_images("relative_protection").replay(2):
+        raise CoxeterError("the proof was not tried")
+    return (
+        "No affine image of $\\tilde A_d$ is better protected, for every d, and no lattice in the plane "
+        "or in space."
+    )
+
+
 def comparison(what: str) -> str:
     """What was tried on a conjecture."""
     if not a_is_best():
         raise CoxeterError("another Coxeter triangulation is better than that of type A")
     tried = {
-        "quality": "that of type A is strictly the best for all four measures",
-        "protection": "that of type A is the only protected one",
+        "quality": ("that of type A is strictly the best for all four measures", _beyond_in_quality),
+        "protection": ("that of type A is the only protected one", _beyond_in_protection),
     }
-    found = ", and ".join(tried[word] for word in what.split(", "))
-    plane = " In the plane its triangles are regular, so none are better." if "quality" in what else ""
-    return f"Among Coxeter triangulations up to d = 8 {found}.{plane} Others were not searched."
+    among, beyond = zip(*(tried[word] for word in what.split(", ")), strict=True)
+    parts = [f"Among Coxeter triangulations up to d = 8 {', and '.join(among)}.", *(say() for say in beyond)]
+    return " ".join([*parts, "Others were not searched."])

@@ -8,7 +8,8 @@ triangulation, and then certified exactly:
 * Delaunay cells overlap nowhere, so they fill space if the volumes of those in a period add up to the
   period's.
 
-Source: Conway and Torquato, Packing, tiling, and covering with tetrahedra, 2006, on these phases as tilings.
+Source: Eppstein, Sullivan and Üngör, Tiling space and slabs with acute tetrahedra, 2004, on these crystals as
+triangulations; Conway and Torquato, Packing, tiling, and covering with tetrahedra, 2006, on them as tilings.
 """
 
 from __future__ import annotations
@@ -43,7 +44,12 @@ class Crystal:
     period
         The period.
     atoms
-        Integer points, those in one cube of the period; their length is the dimension.
+        Integer points, one of each class up to the period; their length is the dimension.
+
+    Raises
+    ------
+    InvalidInput
+        If the period is no positive integer, or the atoms are no integer points of one dimension.
 
     Examples
     --------
@@ -54,6 +60,15 @@ class Crystal:
     name: str
     period: int
     atoms: tuple[Atom, ...] = field(repr=False)
+
+    def __post_init__(self) -> None:
+        if type(self.period) is not int or self.period < 1:
+            raise InvalidInput(f"{self.period!r} is no period of a crystal: give a positive integer")
+        entries = {type(x) for atom in self.atoms for x in atom}
+        if entries != {int} or len({len(atom) for atom in self.atoms}) != 1:
+            raise InvalidInput(
+                f"{self.atoms!r} are no atoms: give points of one dimension with integer entries"
+            )
 
     @cached_property
     def cells(self) -> tuple[tuple[Atom, ...], ...]:
@@ -72,9 +87,10 @@ class Crystal:
         middle = candidates.sum(axis=1)
         chosen = candidates[((middle >= 0) & (middle < self.period * (d + 1))).all(axis=1)]
         edges = (chosen[:, 1:] - chosen[:, :1]).tolist()
-        volume = sum(abs(_determinant(e)) for e in edges)
+        volumes = [abs(_determinant(e)) for e in edges]
         cells = tuple(tuple(tuple(map(int, v)) for v in cell) for cell in chosen)
-        if volume != math.factorial(d) * self.period**d or any(self._power(cell) <= 0 for cell in cells):
+        fills = sum(volumes) == math.factorial(d) * self.period**d and 0 not in volumes
+        if not fills or any(self._power(cell) <= 0 for cell in cells):
             raise InvalidInput(f"{self.name}: its Delaunay cells are not all simplices: move the points")
         return cells
 
@@ -102,25 +118,27 @@ class Crystal:
         )
 
     def _around(self, periods: int) -> np.ndarray:
-        """The atoms of so many periods on each side of the first."""
+        """The atoms of the period at the origin, and of so many on each side of it."""
         shifts = product(range(-periods, periods + 1), repeat=len(self.atoms[0]))
         moves = self.period * np.array(list(shifts), dtype=np.int64)
-        return (np.array(self.atoms, dtype=np.int64)[None] + moves[:, None]).reshape(-1, moves.shape[1])
+        first = np.array(self.atoms, dtype=np.int64) % self.period
+        return (first[None] + moves[:, None]).reshape(-1, moves.shape[1])
 
     def _power(self, cell: Sequence[Atom]) -> Fraction:
         """The least power of another atom over the circumscribed sphere: squared distance from c less R².
 
-        The atoms of two periods on each side are looked at, which is enough if the ball and as much again
-        around it does not reach beyond them.
+        The atoms of two periods on each side are looked at. They are all that lie in the cube of the points
+        with entries between -2 and 2 periods; so it is enough if the nearest that is found is nearer to the
+        centre than the sides of that cube. Products may be large: they are Python's integers.
         """
         simplex = Simplex(cell)
         square, common = simplex.squared_circumradius, math.lcm(*(x.denominator for x in _centre(simplex)))
-        centre = np.array([int(x * common) for x in _centre(simplex)], dtype=np.int64)
-        squares = ((common * self._around(2) - centre) ** 2).sum(axis=1)
+        centre = np.array([int(x * common) for x in _centre(simplex)], dtype=object)
+        squares = ((common * self._around(2).astype(object) - centre) ** 2).sum(axis=1)
         on_cell = common**2 * square
         others = np.sort(squares)[len(cell) :]  # its own vertices come first, unless another atom is as near
         reach = (2 * self.period * common - int(np.abs(centre).max())) ** 2
-        if others[0] >= reach:
+        if 2 * self.period * common <= np.abs(centre).max() or others[0] >= reach:
             raise InvalidInput(f"{self.name}: a ball reaches beyond two periods: give more atoms to a period")
         return Fraction(int(others[0]) - int(on_cell), common**2)
 

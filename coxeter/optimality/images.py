@@ -11,15 +11,17 @@ an edge e has the squared length Q(e). For a simplex with vertices u_i of T, in 
 * vol^(2/d) is, up to a factor, det(Q)^(1/d): it is *concave*, by Minkowski.
 
 All of these are homogeneous of degree 1. So the square of each measure of Definition 18 (fatness: its power
-2/d) is a quotient f/g of a concave and a convex function, and if f >= s·g holds for two forms, it holds for
-their sum. The same is then true of the least value over all simplices of the image, which is its *quality*.
+2/d) is a quotient f/g of a concave and a convex function, and if f >= s·g holds for two forms and s >= 0, it
+holds for their sum. The same is then true of the least value over all simplices of the image, which is its
+*quality*.
 
 Let W be the finite Weyl group. It maps T to itself, up to a translation, so that Q and Q∘w give the same
 simplices, and the same quality. Hence the mean of all Q∘w is at least as good as Q. It is invariant under W,
 which is irreducible, so it is a multiple of the scalar product: a scaled copy of T.  *No affine image of a
 Coxeter triangulation is of better quality than itself, in any of the four measures and in any dimension.*
-Moreover, if the quality at Q is less than at the mean, it grows along the whole segment from Q to the mean:
-a local optimum is a global one, and an image that is worse is not even locally optimal: see `verdicts`.
+Moreover, if the quality at Q is less than at the mean, all other forms on the segment from Q to the mean are
+better than Q: a local optimum is a global one, and an image that is worse is not even locally optimal: see
+`verdicts`.
 
 The power of a vertex over the sphere of a simplex is linear in Q, so relative protection, too, grows with a
 quotient of that kind, as long as no power is negative: that is, among the images that are Delaunay.

@@ -119,8 +119,9 @@ def _alone(measure: str) -> Iterator[Step]:
     else:
         yield argument(
             r"If an image of $\tilde A_d$ is as good, all inequalities are equalities. All heights of "
-            r"$\tilde A_d$ are equal, so each $h_k^2$ is additive on the forms $Q \circ w$: in all "
-            r"their metrics the height has the same foot. So each root is an eigenvector of Q, and "
+            r"$\tilde A_d$ are equal, and r grows with each, so each $h_k^2$ is additive on the forms "
+            r"$Q \circ w$: in all their metrics the height, which has the direction of a root, has the "
+            r"same foot. So each root is an eigenvector of Q, and "
             r"those that are not orthogonal have the same eigenvalue. The diagram is connected: Q is "
             r"a multiple of the scalar product"
         )
