@@ -135,13 +135,23 @@ def test_any_table_becomes_latex_that_compiles(show, tmp_path):
 
 
 def test_a_table_without_a_head_has_rows_only(show):
-    page = show(
-        "<h2>Facts</h2><table><tbody><tr><td>\\(R\\)</td><td>≈ 0.7</td></tr></tbody></table>", "tables.js"
-    )
-    assert download(page, "CSV") == "R,≈ 0.7"
-    assert json.loads(download(page, "JSON")) == {"title": "Table", "rows": [["R", "≈ 0.7"]]}
+    rows = "".join(f"<tr><td>\\({letter}\\)</td><td>≈ 0.7</td></tr>" for letter in "Rrh")
+    page = show(f"<h2>Facts</h2><table><tbody>{rows}</tbody></table>", "tables.js")
+    assert download(page, "CSV") == "R,≈ 0.7\nr,≈ 0.7\nh,≈ 0.7"
+    expected = {"title": "Table", "rows": [["R", "≈ 0.7"], ["r", "≈ 0.7"], ["h", "≈ 0.7"]]}
+    assert json.loads(download(page, "JSON")) == expected
     assert download(page, "LaTeX").count("\\hline") == 2
     assert not page.get_by_role("button", name="Exact values").count()
+
+
+@pytest.mark.parametrize("number", [1, 2, 3])
+def test_what_a_glance_takes_in_has_no_downloads(show, number):
+    rows = (("R", "1/2"), ("r", "1/3"), ("h", "1/4"))[:number]
+    page = show(Table("Few", ("what", "value"), rows)._repr_html_(), "tables.js")
+    assert page.get_by_role("button", name="CSV").count() == (number > 2)
+    assert page.locator(".cx-table-tools").count() == (number > 2)
+    page = show(Table("Few", ("what", "value"), (("R", sqrt(2)),) * number)._repr_html_(), "tables.js")
+    assert page.get_by_role("button").all_inner_texts()[-1] == "Exact values"
 
 
 def test_formulas_are_left_until_their_fold_is_opened(show):
