@@ -180,7 +180,7 @@ def polished(words: str) -> str:
     text = re.sub(r"(?<=[\w)}])>|(?<=^)>(?=$)", "⟩", text)
     text = re.sub(r"(?<![\w\u2212-])-(?=\d)|(?<=[(, ])-$", "\u2212", text)
     text = re.sub(r"(?<=\b\w) - (?=[\w(])", " \u2212 ", text)
-    text = re.sub(r"(?<!['\w])([A-Za-z])'(?!\w)", "\\1\u2032", re.sub(r"(?<=\w)'s\b", "\u2019s", text))
+    text = re.sub(r"(?<!['\w])([A-Za-z])'(?!\w)", "\\1\u2032", re.sub(r"(?:(?<=\w)|^)'s\b", "\u2019s", text))
     return re.sub(r"\b([a-z]{2,})_([a-z]{2,})\b", r"\1 \2", text)
 
 
