@@ -80,7 +80,13 @@ def count(claims: Iterable[Judged]) -> str:
         return f"1 claim: {next(iter(counts))}"
     parts = [f"{n} {verdict}" for verdict, n in counts.most_common()]
     if len(counts) == 1:
-        parts = ["all " + next(iter(counts)).replace("holds", "hold").replace("fails", "fail")]
+        parts = [
+            "all "
+            + next(iter(counts))
+            .replace("holds", "hold")
+            .replace("proof ", "proofs ")
+            .replace("fails", "fail")
+        ]
     return f"{total} claims: {' · '.join(parts)}"
 
 
