@@ -88,6 +88,9 @@ def triangulation_data(triangulation: CoxeterTriangulation) -> dict[str, Any]:
     }
 
 
+MINUS = "\N{MINUS SIGN}"
+
+
 class Facts:
     """Named exact values, for a notebook to show: typeset exactly, with decimals beside.
 
@@ -111,11 +114,15 @@ class Facts:
 
     def _repr_html_(self) -> str:
         rows = "".join(
-            rf"<tr><td>\({name}\)</td><td>\({x.latex()}\)</td><td>{_approximately(x)}</td></tr>"
+            rf"<tr><td>\({name}\)</td><td>\({x.latex()}\)</td><td>{_printed(x)}</td></tr>"
             for name, x in self.values.items()
         )
         table = f'<table class="facts"><tbody>{rows}</tbody></table>'
         return f'<div class="table-box tex2jax_process">{table}</div>'
+
+
+def _printed(x: Surd) -> str:
+    return _approximately(x).replace("-", MINUS)
 
 
 def _approximately(x: Surd) -> str:

@@ -9,6 +9,7 @@ import subprocess
 from collections import Counter
 from pathlib import Path
 
+import plotly
 import pytest
 from run_notebooks import ROOT
 
@@ -17,6 +18,7 @@ from coxeter.exact import sqrt
 from coxeter.pages.cards import claim_card
 from coxeter.pages.judged import FIRMNESS, GRAVITY
 from coxeter.pages.naming import Site
+from coxeter.scenes import scene
 from coxeter.tables import Table, table
 
 STATIC = ROOT / "book" / "_static"
@@ -33,6 +35,7 @@ def browser():
 
     with sync_playwright() as playwright:
         arguments = ["--no-sandbox", "--disable-gpu", "--disable-background-networking", "--no-first-run"]
+        arguments.append("--enable-unsafe-swiftshader")  # pictures to turn
         started = playwright.chromium.launch(executable_path=CHROMIUM, args=arguments)
         yield started
         started.close()
@@ -135,13 +138,23 @@ def test_any_table_becomes_latex_that_compiles(show, tmp_path):
 
 
 def test_a_table_without_a_head_has_rows_only(show):
-    page = show(
-        "<h2>Facts</h2><table><tbody><tr><td>\\(R\\)</td><td>≈ 0.7</td></tr></tbody></table>", "tables.js"
-    )
-    assert download(page, "CSV") == "R,≈ 0.7"
-    assert json.loads(download(page, "JSON")) == {"title": "Table", "rows": [["R", "≈ 0.7"]]}
+    rows = "".join(f"<tr><td>\\({letter}\\)</td><td>≈ 0.7</td></tr>" for letter in "Rrh")
+    page = show(f"<h2>Facts</h2><table><tbody>{rows}</tbody></table>", "tables.js")
+    assert download(page, "CSV") == "R,≈ 0.7\nr,≈ 0.7\nh,≈ 0.7"
+    expected = {"title": "Table", "rows": [["R", "≈ 0.7"], ["r", "≈ 0.7"], ["h", "≈ 0.7"]]}
+    assert json.loads(download(page, "JSON")) == expected
     assert download(page, "LaTeX").count("\\hline") == 2
     assert not page.get_by_role("button", name="Exact values").count()
+
+
+@pytest.mark.parametrize("number", [1, 2, 3])
+def test_what_a_glance_takes_in_has_no_downloads(show, number):
+    rows = (("R", "1/2"), ("r", "1/3"), ("h", "1/4"))[:number]
+    page = show(Table("Few", ("what", "value"), rows)._repr_html_(), "tables.js")
+    assert page.get_by_role("button", name="CSV").count() == (number > 2)
+    assert page.locator(".cx-table-tools").count() == (number > 2)
+    page = show(Table("Few", ("what", "value"), (("R", sqrt(2)),) * number)._repr_html_(), "tables.js")
+    assert page.get_by_role("button").all_inner_texts()[-1] == "Exact values"
 
 
 def test_formulas_are_left_until_their_fold_is_opened(show):
@@ -150,6 +163,61 @@ def test_formulas_are_left_until_their_fold_is_opened(show):
     page.get_by_text("How").click()
     page.wait_for_selector("span.math")
     assert page.locator("span.lg-tex").count() == 0
+
+
+# -- pictures to turn ---------------------------------------------------------------------------------------
+
+CAMERA = "(({eye}) => [eye.x, eye.y, eye.z])(document.querySelector('.cx-stage').layout.scene.camera)"
+REACH = """(() => {
+  const { data, layout } = document.querySelector(".cx-stage");
+  const axes = ["x", "y", "z"];
+  const middle = axes.map((x) => (layout.scene[`${x}axis`].range[0] + layout.scene[`${x}axis`].range[1]) / 2);
+  const points = data.flatMap((trace) => trace.x.flat().map((_, i) => axes.map((x) => trace[x].flat()[i])));
+  const far = (point) => Math.hypot(...point.map((x, i) => x - middle[i]));
+  return layout.scene.aspectratio.x * Math.max(...points.filter(([x]) => x !== null).map(far));
+})()"""
+
+
+@pytest.fixture
+def picture(show):
+    library = Path(plotly.__file__).parent / "package_data" / "plotly.min.js"
+    page = show(f'<script src="{library.as_uri()}"></script>{scene("B~3")._repr_html_()}', "space.js")
+    page.wait_for_selector(".cx-stage .annotation-text", state="attached")
+    return page
+
+
+def test_names_stand_in_front_of_a_picture(picture):
+    names = picture.locator(".cx-stage .annotation-text").all_text_contents()
+    assert names == ["u₀", "u₁", "u₂", "u₃", "s₂(u₂)", "c"]
+
+
+def test_a_picture_turns_past_its_pole(picture):
+    heights = [picture.evaluate(CAMERA)[2]]
+    for _ in range(6):
+        for _ in range(4):
+            picture.get_by_role("button", name="Turn upwards").click()
+        picture.wait_for_timeout(300)
+        heights.append(picture.evaluate(CAMERA)[2])
+    assert min(heights) < -2.4  # near the pole, and then on
+    assert abs(heights[-1] + heights[0]) < 1e-6  # half a turn
+    stage = picture.locator(".cx-stage").bounding_box()
+    x, y = stage["x"] + stage["width"] / 2, stage["y"] + stage["height"] / 2
+    before = picture.evaluate(CAMERA)
+    picture.mouse.move(x, y)
+    picture.mouse.down()
+    picture.mouse.move(x + 80, y, steps=4)
+    picture.mouse.up()
+    picture.wait_for_function(f"Math.abs({CAMERA}[0] - {before[0]}) > 0.1")
+    assert abs(sum(t * t for t in picture.evaluate(CAMERA)) - sum(t * t for t in before)) < 1e-6
+
+
+def test_all_that_is_shown_fits_into_the_picture(picture):
+    """In units of the range of the axes, what is drawn reaches as far, whatever it is."""
+    first = picture.evaluate(REACH)
+    for control in ("Next", "All"):
+        picture.get_by_role("button", name=control).click()
+        picture.wait_for_timeout(900)
+        assert picture.evaluate(REACH) <= first + 1e-6
 
 
 # -- the graph ---------------------------------------------------------------------------------------------

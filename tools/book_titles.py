@@ -18,6 +18,7 @@ BELOW = str.maketrans("0123456789", "₀₁₂₃₄₅₆₇₈₉")
 
 def setup(app: Sphinx) -> None:
     app.connect("doctree-read", plain_title, priority=900)  # after Sphinx has collected the titles
+    app.connect("doctree-resolved", letters_below)
     app.connect("html-page-context", plain_heads)
     app.connect("html-collect-pages", plain_search)
 
@@ -70,6 +71,14 @@ def _below(words: str) -> Iterator[nodes.Node]:
     for count, part in enumerate(re.split(r"_(\w)", words)):
         if part:
             yield nodes.subscript("", part) if count % 2 else nodes.Text(part)
+
+
+def letters_below(app: Sphinx, doctree: nodes.document, docname: str) -> None:
+    """The same in links to chapters."""
+    for link in doctree.findall(lambda node: isinstance(node, nodes.inline) and "doc" in node["classes"]):
+        if "_" in (words := link.astext()):
+            link.children = []
+            link.extend(_below(words))
 
 
 def _is_math(text: nodes.Text) -> bool:

@@ -17,7 +17,7 @@ ROOT = Path(__file__).resolve().parent.parent
 SIZES, SCHEMES = {"wide": WIDE, "phone": PHONE}, ("light", "dark")
 MODES = [f"{size}-{scheme}" for size in SIZES for scheme in SCHEMES]
 TALLEST = 16000  # pixels; Chromium draws no taller picture
-SETTLED = 400  # milliseconds until what moves has come to rest
+SETTLED = 800  # milliseconds until what moves has come to rest
 
 
 async def take(browser: Any, base: str, name: str, size: str, target: Path) -> None:

@@ -30,6 +30,9 @@
     return [a, cross(n, a)];
   };
 
+  /* A vector, turned about a unit vector. */
+  const turned = (a, n, t) => add(add(a.map((x) => x * Math.cos(t)), cross(n, a), Math.sin(t)), n, dot(n, a) * (1 - Math.cos(t)));
+
   /* -- traces of the plotting library -- */
 
   const plain = { hoverinfo: "skip", showlegend: false };
@@ -51,15 +54,14 @@
 
   const edges = (solids) => solids.flatMap((solid) => PAIRS.map((pair) => pair.map((k) => solid[k])));
 
-  const marks = (points, symbol, color, width, ink, text, place = "top center") => ({
-    ...plain, ...columns(points), type: "scatter3d", mode: text ? "markers+text" : "markers",
+  const marks = (points, symbol, color, width) => ({
+    ...plain, ...columns(points), type: "scatter3d", mode: "markers",
     marker: { symbol, color, size: width, opacity: 1, line: { color, width: 1.5 } },
-    text, textposition: place, textfont: { color: ink, size: 15 },
   });
 
   const ball = (centre, radius, color, opacity) => {
-    const rows = Array.from({ length: 17 }, (_, i) => (Math.PI * i) / 16);
-    const ring = [...turns(32), 2 * Math.PI];
+    const rows = Array.from({ length: 33 }, (_, i) => (Math.PI * i) / 32);
+    const ring = [...turns(64), 2 * Math.PI];
     const grid = (f) => rows.map((v) => ring.map((u) => f(u, v)));
     const none = { highlight: false };
     return {
@@ -127,6 +129,10 @@
     patch: "Simplices around a vertex",
   };
 
+  const TURNS = { ArrowLeft: ["←", "Turn to the left", -1, 0], ArrowUp: ["↑", "Turn upwards", 0, 1],
+    ArrowDown: ["↓", "Turn downwards", 0, -1], ArrowRight: ["→", "Turn to the right", 1, 0] };
+  const STEP = Math.PI / 24;
+
   let count = 0;
 
   /* -- one picture -- */
@@ -151,7 +157,7 @@
 
     build() {
       const id = `cx-help-${count += 1}`;
-      const keys = "Arrow keys turn it, plus and minus change its size, 0 sets it back.";
+      const keys = "A finger begins sideways, as up and down scroll the page. Arrow keys turn it too, plus and minus change its size, 0 sets it back.";
       this.stage = make("div", { class: "cx-stage", tabindex: 0, role: "application",
         "aria-label": `${this.data.title}: a picture to turn`, "aria-describedby": id });
       this.says = make("output", { class: "cx-says" }, this.data.told.circumcentre);
@@ -165,7 +171,10 @@
       this.figure.prepend(this.turn);
       this.figure.classList.add("cx-live");
       this.stage.addEventListener("keydown", (event) => this.pressed(event));
-      this.stage.addEventListener("wheel", (event) => event.stopPropagation(), { capture: true, passive: true }); // it scrolls the page
+      ["wheel", "touchstart", "touchmove"].forEach((kind) => this.stage.addEventListener(kind, (event) => event.stopPropagation(),
+        { capture: true, passive: true })); // else Plotly would keep the page from scrolling
+      this.dragged();
+      new ResizeObserver(() => this.later()).observe(this.stage);
     }
 
     panel() {
@@ -184,17 +193,17 @@
         make("label", { class: "cx-wide" }, "Explode", this.slider), through);
       const steps = this.group("Reflections one by one", this.button("Start", () => this.step(1)), this.button("Back", () => this.step(this.count - 1)),
         this.button("Next", () => this.step(this.count + 1)), this.button("All", () => this.step(Infinity)));
-      const view = this.group("View", this.button("Nearer", () => this.zoom(1.2)), this.button("Farther", () => this.zoom(1 / 1.2)),
-        this.button("Reset", () => this.reset()));
+      const ways = Object.values(TURNS).map(([sign, words, ...turn]) => this.button(sign, () => this.rotate(...turn.map((t) => t * STEP)), words));
+      const view = this.group("View", make("div", { class: "cx-row" }, ...ways), make("div", { class: "cx-row" },
+        this.button("Nearer", () => this.zoom(1.2)), this.button("Farther", () => this.zoom(1 / 1.2)), this.button("Reset", () => this.reset())));
       steps.classList.add("cx-row");
-      view.classList.add("cx-row");
       return make("div", { class: "cx-panel" }, shown, patch, steps, view);
     }
 
     group(words, ...children) { return make("fieldset", {}, make("legend", {}, words), ...children); }
 
-    button(words, done) {
-      const button = make("button", { type: "button" }, words);
+    button(words, done, name) {
+      const button = make("button", { type: "button", ...(name && { "aria-label": name, title: name }) }, words);
       button.addEventListener("click", done);
       return button;
     }
@@ -250,8 +259,8 @@
     zoom(factor) { this.set({ zoom: Math.min(Math.max(this.state.zoom * factor, 0.3), 5) }); }
 
     face() {
-      const [x, y, z] = this.data.towards.map((t) => 2.6 * t);
-      this.camera = { eye: { x, y, z }, up: { x: 0, y: 0, z: 1 }, center: { x: 0, y: 0, z: 0 } };
+      this.eye = this.data.towards.map((t) => 2.6 * t);
+      this.up = [0, 0, 1];
     }
 
     reset() {
@@ -260,9 +269,9 @@
     }
 
     pressed(event) {
-      const turn = { ArrowLeft: [-1, 0], ArrowRight: [1, 0], ArrowUp: [0, 1], ArrowDown: [0, -1] }[event.key];
+      const [, , ...turn] = TURNS[event.key] ?? [];
       if (event.ctrlKey || event.metaKey || event.altKey) return;
-      if (turn) this.rotate(...turn.map((t) => (t * Math.PI) / (event.shiftKey ? 90 : 24)));
+      if (turn.length) this.rotate(...turn.map((t) => t * (event.shiftKey ? STEP / 4 : STEP)));
       else if (event.key === "+" || event.key === "=") this.zoom(1.1);
       else if (event.key === "-") this.zoom(1 / 1.1);
       else if (event.key === "0" || event.key === "Home") this.reset();
@@ -270,13 +279,36 @@
       event.preventDefault();
     }
 
+    /* A pointer turns the picture by half a turn from side to side. The style leaves a finger's ways up and down to
+       the page, unless it began sideways. */
+    dragged() {
+      let at = null;
+      this.stage.addEventListener("pointerdown", (event) => {
+        if (!event.isPrimary || event.button) return;
+        at = [event.clientX, event.clientY, event.pointerType === "touch" ? 8 : 0];
+        this.stage.setPointerCapture(event.pointerId);
+      });
+      this.stage.addEventListener("pointermove", ({ isPrimary, clientX, clientY }) => {
+        if (!at || !isPrimary || Math.abs(clientX - at[0]) < at[2]) return;
+        this.rotate(...[clientX - at[0], at[1] - clientY].map((t) => (t * Math.PI) / this.stage.clientWidth));
+        at = [clientX, clientY, 0];
+      });
+      ["pointerup", "pointercancel"].forEach((kind) => this.stage.addEventListener(kind, () => { at = null; }));
+    }
+
+    /* What is in front goes to the right, and upwards; no direction is special, so it turns on and on. */
     rotate(right, up) {
-      const { x, y, z } = this.camera.eye;
-      const r = Math.hypot(x, y, z);
-      const a = Math.atan2(y, x) + right;
-      const b = Math.min(Math.max(Math.asin(z / r) + up, -1.5), 1.5);
-      this.camera = { ...this.camera, eye: { x: r * Math.cos(a) * Math.cos(b), y: r * Math.sin(a) * Math.cos(b), z: r * Math.sin(b) } };
+      const [side, above] = this.screen;
+      const eye = turned(turned(this.eye, above, -right), side, up);
+      this.up = turned(above, side, up);
+      this.eye = eye;
       this.later();
+    }
+
+    /* The directions to the right and upwards on the screen. */
+    get screen() {
+      const side = unit(cross(this.up, this.eye));
+      return [side, unit(cross(this.eye, side))];
     }
 
     /* -- what is drawn -- */
@@ -293,11 +325,10 @@
       return this.state.patch ? add(centre, add(centre, mean(this.own), -1), this.state.apart) : this.data.circumcentre;
     }
 
-    /* The light comes over the viewer's right shoulder. */
+    /* The light comes over the viewer's left shoulder. */
     traces() {
-      const { x, y, z } = this.camera.eye;
-      const [right, up] = across(unit([x, y, z]));
-      const light = add(add(unit([x, y, z]), right, 0.45), up, -0.6).map((t) => 1e5 * t);
+      const [right, up] = this.screen;
+      const light = add(add(unit(this.eye), right, -0.45), up, 0.6).map((t) => 1e5 * t);
       const lightposition = { x: light[0], y: light[1], z: light[2] };
       return this.things().map((trace) => (/mesh3d|surface/.test(trace.type) ? { ...trace, lightposition } : trace));
     }
@@ -310,17 +341,17 @@
       if (state.simplex) {
         found.push(tetrahedra([this.own], c.simplex, state.patch && !state.through ? 1 : 0.42), lines(edges([this.own]), c.simplex, 6));
       }
-      this.own.forEach((corner, k) => found.push(marks([corner], SIGNS[k], c.labels[k], 7, c.ink, [`u${LOW[k]}`])));
+      this.own.forEach((corner, k) => found.push(marks([corner], SIGNS[k], c.labels[k], 7)));
       if (state.circumsphere) {
         const { circumcentre: at, circumradius: r } = data;
         found.push(ball(at, r, c.sphere, 0.13), lines([[1, 0, 0], [0, 1, 0], [0, 0, 1]].map((n) => circle(at, r, n)), c.sphere, 1.5));
       }
       if (state.circumcentre) {
         found.push(lines(this.own.map((corner) => [data.circumcentre, corner]), c.sphere, 3, { dash: "dash" }));
-        found.push(marks([data.circumcentre], "circle-open", c.sphere, 8, c.ink, ["c"], "bottom center"));
+        found.push(marks([data.circumcentre], "circle-open", c.sphere, 8));
       }
       if (state.incentre) {
-        found.push(ball(data.incentre, data.inradius, c.inner, 0.4), marks([data.incentre], "x", c.inner, 4, c.ink, ["i"], "top center"));
+        found.push(ball(data.incentre, data.inradius, c.inner, 0.4), marks([data.incentre], "x", c.inner, 4));
       }
       if (state.normals) found.push(...this.normals(c));
       if (state.mirrors) data.walls.forEach((wall, k) => found.push(...this.mirror(wall, mean(this.own), 0.95 * data.circumradius, c.labels[k], 0.16)));
@@ -337,14 +368,11 @@
       const all = groups.flat();
       if (all.length) found.push(lines(edges(all), c.rim, this.state.through ? 1.5 : 2.5));
       if (this.flying) found.push(tetrahedra([this.flying], c.tones[this.star.odd[flying + 1]], 0.8), lines(edges([this.flying]), c.rim, 3));
-      SIGNS.forEach((sign, k) => { if (all.length) found.push(marks(all.map((solid) => solid[k]), sign, c.labels[k], 4, c.ink)); });
+      SIGNS.forEach((sign, k) => { if (all.length) found.push(marks(all.map((solid) => solid[k]), sign, c.labels[k], 4)); });
       if (this.state.step !== null) {
         if (!this.flying) found.push(lines(edges([this.solid(this.state.step + 1)]), c.ink, 6));
-        const [parent, facet, mirror] = this.star.steps[this.state.step];
-        const middle = between(mean(this.solid(parent)), mean(this.solid(this.state.step + 1)), 0.5);
-        const [a, b, d] = this.data.mirrors[mirror];
-        const moved = [a, b, d, dot([a, b, d], middle)];
-        found.push(...this.mirror(moved, middle, 0.75 * this.reach, c.labels[facet], 0.3));
+        const [, facet, mirror] = this.star.steps[this.state.step];
+        found.push(...disc(this.centre, 0.9 * this.span, this.data.mirrors[mirror].slice(0, 3), c.labels[facet], 0.3));
       }
       return found;
     }
@@ -356,13 +384,13 @@
     }
 
     normals(c) {
+      return this.arrows.flatMap(({ tip, along, length }, k) => arrow(tip, along, length, c.labels[k]));
+    }
+
+    get arrows() {
       const longest = Math.max(...this.data.normals.map(size));
-      return this.data.normals.flatMap((normal, k) => {
-        const tip = mean(FACES[k].map((i) => this.own[i]));
-        const length = (0.75 * this.data.circumradius * size(normal)) / longest;
-        const tail = add(tip, unit(normal), -1.08 * length);
-        return [...arrow(tip, unit(normal), length, c.labels[k]), marks([tail], "circle", c.labels[k], 1, c.ink, [`n${LOW[k]}`], "middle center")];
-      });
+      return this.data.normals.map((normal, k) => ({ tip: mean(FACES[k].map((i) => this.own[i])), along: unit(normal),
+        length: (0.75 * this.data.circumradius * size(normal)) / longest }));
     }
 
     /* The apexes of neighbours; with the circumsphere come those that lie in it or on it. */
@@ -374,7 +402,7 @@
       const near = where !== "outside";
       return [
         lines(FACES[label].map((k) => [this.own[k], at]), c.labels[label], near ? 3 : 1.5, { dash: near ? "solid" : "dot" }),
-        marks([at], label === 3 ? "cross" : `${SIGNS[label]}-open`, c.labels[label], near ? 9 : 6, c.ink, [`s${LOW[label]}(u${LOW[label]})`]),
+        marks([at], label === 3 ? "cross" : `${SIGNS[label]}-open`, c.labels[label], near ? 9 : 6),
       ];
     }
 
@@ -394,31 +422,51 @@
       requestAnimationFrame(frame);
     }
 
-    /* How far from the centre anything reaches that is shown. */
-    get reach() {
-      const points = [...this.own];
-      if (this.state.patch) this.star.alcoves.forEach((_, n) => points.push(...this.solid(n)));
-      points.push(...this.apexes.map(({ at }) => at));
-      return Math.max(...points.map((point) => size(add(point, this.centre, -1))));
+    /* How far from the centre the simplices reach, all of them, also before they are shown. */
+    get span() {
+      const points = this.state.patch ? this.star.alcoves.flatMap((_, n) => this.solid(n)) : this.own;
+      return this.farthest(points);
     }
 
-    layout() {
+    farthest(points) { return Math.max(...points.map((point) => size(add(point, this.centre, -1)))); }
+
+    /* All that is drawn lies in a ball around the centre, and the ball fits into the stage. */
+    layout(traces) {
       const c = colours();
+      const shown = traces.flatMap(({ x, y, z }) => x.flat().map((_, i) => [x, y, z].map((t) => t.flat()[i])).filter(([t]) => t !== null));
+      const reach = Math.max(this.span, this.farthest(shown));
       const narrow = Math.min(1, this.stage.clientWidth / this.stage.clientHeight || 1);
-      const scale = (1.8 * HALF * narrow * this.state.zoom) / this.reach;
+      const scale = (1.7 * HALF * narrow * this.state.zoom) / reach;
       const axis = (i) => ({ visible: false, showspikes: false, range: [this.centre[i] - HALF, this.centre[i] + HALF] });
+      const [eye, up] = [this.eye, this.up].map(([x, y, z]) => ({ x, y, z }));
       return {
         margin: { l: 0, r: 0, t: 0, b: 0 }, paper_bgcolor: c.ground, showlegend: false, hovermode: false,
         font: { family: "Arial, 'Liberation Sans', Helvetica, sans-serif" },
-        scene: { xaxis: axis(0), yaxis: axis(1), zaxis: axis(2), bgcolor: c.ground, dragmode: "turntable", camera: this.camera,
-          aspectmode: "manual", aspectratio: { x: scale, y: scale, z: scale } },
+        scene: { xaxis: axis(0), yaxis: axis(1), zaxis: axis(2), bgcolor: c.ground, dragmode: false, annotations: this.names(c),
+          camera: { eye, up, center: { x: 0, y: 0, z: 0 } }, aspectmode: "manual", aspectratio: { x: scale, y: scale, z: scale } },
       };
+    }
+
+    /* The names of points stand in front of everything, on the side of their point that is away from the simplex. */
+    names({ ink }) {
+      const { state, data, screen } = this;
+      const aside = [
+        ...this.own.map((corner, k) => [corner, `u${LOW[k]}`]),
+        ...this.apexes.map(({ at, label }) => [at, `s${LOW[label]}(u${LOW[label]})`]),
+        ...(state.normals ? this.arrows.map(({ tip, along, length }, k) => [add(tip, along, -length), `n${LOW[k]}`]) : []),
+      ].map(([at, words]) => {
+        const [x, y] = screen.map((axis) => dot(axis, add(at, mean(this.own), -1)));
+        const r = Math.hypot(x, y) || 1;
+        return [at, words, ((10 + 4 * words.length) * x) / r, (18 * y) / r];
+      });
+      const centres = [...(state.circumcentre ? [[data.circumcentre, "c", 0, -17]] : []), ...(state.incentre ? [[data.incentre, "i", 0, 17]] : [])];
+      return [...aside, ...centres].map(([[x, y, z], text, xshift, yshift]) => ({ x, y, z, text, xshift, yshift, showarrow: false, font: { color: ink, size: 15 } }));
     }
 
     draw() {
       if (!this.ready) return;
-      Plotly.react(this.stage, this.traces(), this.layout(), { displayModeBar: false, scrollZoom: false, responsive: true })
-        .then(() => hush(this.stage));
+      const traces = this.traces();
+      Plotly.react(this.stage, traces, this.layout(traces), { displayModeBar: false, scrollZoom: false }).then(() => hush(this.stage));
     }
 
     later() {
@@ -432,9 +480,6 @@
     show() {
       this.ready = true;
       this.draw();
-      const turned = (event) => { if (event["scene.camera"]) this.camera = { ...event["scene.camera"] }; };
-      this.stage.on("plotly_relayouting", turned);
-      this.stage.on("plotly_relayout", (event) => { turned(event); this.later(); });
     }
   }
 

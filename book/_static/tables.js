@@ -1,7 +1,9 @@
-/* Under each table: download it as CSV, JSON or LaTeX, and switch decimals to exact values. All is made here, from
-   the table itself: a cell shows a decimal, and its title is the exact value. Without this script the title tells. */
+/* Under each table: download it as CSV, JSON or LaTeX, unless a glance takes it in, and switch decimals to exact
+   values. All is made here, from the table itself: a cell shows a decimal, and its title is the exact value. Without
+   this script the title tells. */
 (() => {
   "use strict";
+  const GLANCE = 2; // rows below the head
   const OTHERS = ".lg-errata, .lg-sheet, .highlighttable, .indextable, .cx-no-download";
   const BOXES = ".table-box, .lg-scroll, .pst-scrollable-table-container";
   const SIGNS = {
@@ -119,9 +121,11 @@
     if (table.closest(OTHERS) || !table.rows.length) return;
     const tools = Object.assign(document.createElement("div"), { className: "cx-table-tools" });
     tools.setAttribute("role", "group");
-    tools.setAttribute("aria-label", `Download the table: ${title(table)}`);
+    tools.setAttribute("aria-label", `The table: ${title(table)}`);
     let exact = false;
-    tools.append("Download: ", ...[["CSV", "csv"], ["JSON", "json"], ["LaTeX", "tex"]].map(([words, end]) => button(words, () => save(table, end, exact))));
+    if (table.rows.length - (table.tHead?.rows.length ?? 0) > GLANCE) {
+      tools.append("Download: ", ...[["CSV", "csv"], ["JSON", "json"], ["LaTeX", "tex"]].map(([words, end]) => button(words, () => save(table, end, exact))));
+    }
     if (table.closest(".table-box")?.querySelector("td[title]")) {
       const exactly = button("Exact values", (made) => {
         exact = !exact;
@@ -131,6 +135,6 @@
       exactly.setAttribute("aria-pressed", "false");
       tools.append(exactly);
     }
-    (table.closest(BOXES) ?? table).after(tools);
+    if (tools.hasChildNodes()) (table.closest(BOXES) ?? table).after(tools);
   });
 })();

@@ -199,7 +199,7 @@ def _draw_10(data: Obtuse) -> Canvas:
     end, other, p, foot, centre = map(pixel, (*data.facet, data.p, data.foot, data.circumcentre))
     canvas.disc(centre, scale * float(sqrt(data.squared_circumradius)), None, _CIRCLE)
     canvas.polygons([(end, other, p)], GREEN, 0.3, _SIMPLEX)
-    diagonal = toward(end, (end[0] + (1 if other[0] > end[0] else -1), end[1] - 1), 122)
+    diagonal = toward(end, (end[0] + (1 if other[0] > end[0] else -1), end[1] - 1), 148)
     canvas.lines([(end, diagonal)], _DASHED)
     canvas.lines([(end, other)], _FACET)
     canvas.lines([(p, foot)], _HEIGHT)
@@ -215,7 +215,7 @@ def _draw_10(data: Obtuse) -> Canvas:
     canvas.label(((2 * p[0] + end[0]) / 3 + 6, (2 * p[1] + end[1]) / 3 - 16), "$L$", LABEL)
     canvas.label(((2 * end[0] + other[0]) / 3, 19), "$\\tau$", LABEL)
     canvas.label((centre[0] + 16, centre[1]), "$c$", LABEL)
-    canvas.label((diagonal[0] + 4, diagonal[1] - 13), "$\\pi/4$", SMALL + 2)
+    canvas.label((diagonal[0], diagonal[1] - 11), "$\\pi/4$", SMALL + 2)
     keys = [
         point_key("circumcircle, centre", 5.0, None, _CIRCLE),
         line_key("height", _HEIGHT),

@@ -111,7 +111,7 @@ def columns(printed: Constants) -> Finding:
         return holds(FINITE)
     return corrected(
         FINITE,
-        f"Table 2 has no column for: {', '.join(missing)}; the property stands in item 8 of each family",
+        f"Table 2 has no column for {', '.join(missing)}; the property stands in item 8 of each family",
         evidence="the theorem lists the Delaunay triangulations itself",
         constants={"columns": (*printed["columns"], *missing)},
     )

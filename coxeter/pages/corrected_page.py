@@ -70,7 +70,8 @@ def _notes(notes: dict[str, Judged], errata: tuple[Erratum, ...], site: Site) ->
     entries = {x.id: e for e in errata for x in e.members}
     rows = "".join(_note(x, entries[x.id], site) for x in notes.values())
     ours = sum(entries[id].kind == "copy" for id in notes)
-    words = f"What was changed: {len(notes) - ours} in print, {ours} only in our copy"
+    printed_wrong, copied_wrong = (number or "nothing" for number in (len(notes) - ours, ours))
+    words = f"What was changed: {printed_wrong} in print, {copied_wrong} only in our copy"
     return folded(words, f"<ul>{rows}</ul>", "lg-notes")
 
 

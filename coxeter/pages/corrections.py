@@ -27,7 +27,17 @@ def truth(x: Judged) -> str:
             shown(value) if text.startswith(words) and text.count(": printed ") == 1 else _named(name, value)
         )
         text = text.replace(words, told)
-    return text
+    return re.sub(r"^first: ([^;]*); last: ([^;]*)$", r"from \1 to \2", text)
+
+
+def stopped(text: str) -> str:
+    """A correction with a full stop, if there are words in it.
+
+    >>> stopped("the edges of $L$ are meant"), stopped("1 for d = 3"), stopped("$\\\\sqrt{2}$")
+    ('the edges of $L$ are meant.', '1 for d = 3.', '$\\\\sqrt{2}$')
+    """
+    spoken = re.search(r"[a-z]{2,}", re.sub(r"\$[^$]*\$|\w*\(", "", text))
+    return f"{text}." if spoken and text[-1] not in ".!?" else text
 
 
 def in_words(correction: str) -> str:

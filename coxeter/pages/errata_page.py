@@ -6,7 +6,7 @@ import re
 from collections.abc import Iterable, Iterator
 
 from ..ledger.vocabulary import Verdict
-from .corrections import printed, truth
+from .corrections import printed, stopped, truth
 from .errata import Erratum
 from .judged import Judged, gravest
 from .markup import folded, link, links, said, table
@@ -42,7 +42,7 @@ def _body(e: Erratum, site: Site) -> str:
 
 def _true(x: Judged) -> str:
     """What is true, as a sentence: of a statement whose proof alone is mended, the proof."""
-    text = truth(x)
+    text = stopped(truth(x))
     if re.match(r"[a-z]{2,} ", text):
         text = text[0].upper() + text[1:]
     return f"The statement stands. Our proof: {text}" if x.verdict is Verdict.REPAIRED else text

@@ -254,4 +254,4 @@ def _in_words(node: str, graph: Dependencies, site: Site) -> str:
 
 
 def _names(nodes: Iterable[str]) -> str:
-    return ", ".join(to_html(name_of_item(node)) for node in nodes)
+    return "; ".join(to_html(name_of_item(node)) for node in nodes)

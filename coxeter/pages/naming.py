@@ -4,9 +4,10 @@ from __future__ import annotations
 
 import re
 from collections import Counter
-from collections.abc import Iterable
+from collections.abc import Iterable, Iterator
 from dataclasses import dataclass
 from functools import lru_cache
+from itertools import groupby
 
 from ..ledger.claim import Claim
 from ..ledger.inventory import belongs, items
@@ -66,7 +67,8 @@ def name_of(id: str) -> str:
     if item.startswith("tab-"):
         rest = re.sub(r"^([A-G])(\d?)\.", lambda m: f"{m[1]}~{m[2]} ", rest)
         rest = re.sub(r"^([A-G]~) (\d)$", r"\1\2", rest)
-    return name_of_item(item) + (f": {rest.replace('-', ' ').replace('.', ' ')}" if rest else "")
+    words = rest.replace("self-", "self\N{HYPHEN}").replace("-", " ").replace(".", " ")
+    return name_of_item(item) + (f": {words}" if rest else "").replace("\N{HYPHEN}", "-")
 
 
 def names_of_items(ids: Iterable[str]) -> dict[str, str]:
@@ -86,9 +88,28 @@ def titled(ids: Iterable[str]) -> str:
     """
     items = {item_of(id): None for id in ids}
     loose = Counter(item_of(id) for id in ids if not is_numbered(item_of(id)))
-    names = [name_of_item(item) for item in items if is_numbered(item)]
+    names = list(_counted_on(filter(is_numbered, items)))
     names += [f"{n} statement{'s' if n > 1 else ''} of {name_of_item(item)}" for item, n in loose.items()]
     return ", ".join(names)
+
+
+def _counted_on(items: Iterable[str]) -> Iterator[str]:
+    """The names of items, three and more that follow each other in one.
+
+    >>> list(_counted_on(["lem-9", "eq-1", "eq-2", "eq-3", "fig-12"]))
+    ['Lemma 9', 'Equations (1) to (3)', 'Figure 12']
+    """
+
+    def run(place: tuple[int, str]) -> tuple[str, int]:
+        kind, _, number = place[1].partition("-")
+        return (kind, int(number) - place[0]) if number.isdigit() else (place[1], 0)
+
+    for _, places in groupby(enumerate(items), run):
+        names = [name_of_item(item) for _, item in places]
+        if len(names) > 2:
+            kind, _, first = names[0].partition(" ")
+            names = [f"{kind}s {first} to {names[-1].removeprefix(kind + ' ')}"]
+        yield from names
 
 
 def is_numbered(item: str) -> bool:

@@ -7,7 +7,7 @@ from collections import Counter
 from collections.abc import Iterable, Iterator, Sequence
 
 from ..ledger.vocabulary import Verdict
-from .corrections import truth
+from .corrections import stopped, truth
 from .headline import NAMES
 from .judged import Judged, gravest
 from .markup import folded, link, said
@@ -73,11 +73,21 @@ def summary(claims: Sequence[Judged]) -> str:
 
 
 def count(claims: Iterable[Judged]) -> str:
-    """Verdicts in words, the most frequent first: ``8 claims: 7 holds · 1 fails``."""
+    """Verdicts in words, the most frequent first: ``8 claims: 7 holds · 1 fails``, ``3 claims: all hold``."""
     counts = Counter(x.verdict.value for x in claims)
     total = sum(counts.values())
-    parts = " · ".join(f"{n} {verdict}" for verdict, n in counts.most_common())
-    return f"{total} claim{'s' if total > 1 else ''}: {parts}"
+    if total == 1:
+        return f"1 claim: {next(iter(counts))}"
+    parts = [f"{n} {verdict}" for verdict, n in counts.most_common()]
+    if len(counts) == 1:
+        parts = [
+            "all "
+            + next(iter(counts))
+            .replace("holds", "hold")
+            .replace("proof ", "proofs ")
+            .replace("fails", "fail")
+        ]
+    return f"{total} claims: {' · '.join(parts)}"
 
 
 # -- boxes -------------------------------------------------------------------------------------------------
@@ -129,7 +139,7 @@ def check(x: Judged, site: Site) -> str:
 def labelled(x: Judged) -> str:
     """The correction with the word for what it is."""
     text = truth(x)
-    return said(LABELS.get(x.verdict, "Use instead"), to_html(text)) if text else ""
+    return said(LABELS.get(x.verdict, "Use instead"), to_html(stopped(text))) if text else ""
 
 
 def reason(x: Judged) -> Iterator[str]:

@@ -16,7 +16,7 @@ MATHS = "math notranslate nohighlight"
 TYPE = re.compile(r"\b([A-G])~_?(?:\{(\w+)\}|(\w+)\b)?(?!\w)")
 SET = re.compile(r"\\tilde\{([A-G])\}(?:_\{(\w+)\})?")
 SPACE = re.compile(r"\bR\^(?:\{([^{}]+)\}|(\w))")
-INDEX = re.compile(r"([A-Za-zλμσντρφ])_(?:\{([^{}]+)\}|(\w))(?![\w^])")
+INDEX = re.compile(r"([A-Za-zλμσντρφ])_(?:\{([^{}]+)\}|(\w))(²?)(?![\w^])")
 REPEATED = re.compile(r"(?:\((-?\d+(?:/\d+)?)\)|(-?\d+(?:/\d+)?))\^\{([^{}]+)\}")
 RUN = re.compile(r"(?<![\w$])[-(\w][\w+\-*/().]*(?: [+\-*/] ?[\w+\-*/().]+)*")
 """Where a formula in the library's notation may stand in a sentence."""
@@ -80,7 +80,7 @@ def _at(text: str, position: int) -> tuple[Piece, int] | None:
     if match := SPACE.match(text, position):
         return Piece("math", rf"\mathbb{{R}}^{{{match[1] or match[2]}}}"), match.end()
     if match := INDEX.match(text, position):
-        return Piece("math", f"{match[1]}_{{{match[2] or match[3]}}}"), match.end()
+        return Piece("math", f"{match[1]}_{{{match[2] or match[3]}}}{'^2' * len(match[4])}"), match.end()
     if match := REPEATED.match(text, position):
         return Piece("math", run_latex(match[1] or match[2], match[3])), match.end()
     if (match := RUN.match(text, position)) and (formula := _formula(match[0])):
@@ -171,12 +171,16 @@ def polished(words: str) -> str:
 
     >>> polished("<x, r> >= -1: the aspect_ratio")
     '⟨x, r⟩ ≥ \u22121: the aspect ratio'
+    >>> polished("Rajan's c', for k - j")
+    'Rajan\u2019s c\u2032, for k \u2212 j'
     """
     if words == " - ":  # between two formulas
         return " \u2212 "
     text = re.sub(r"<(?=[\w(])", "⟨", words).replace(">=", "≥").replace("<=", "≤")
     text = re.sub(r"(?<=[\w)}])>|(?<=^)>(?=$)", "⟩", text)
     text = re.sub(r"(?<![\w\u2212-])-(?=\d)|(?<=[(, ])-$", "\u2212", text)
+    text = re.sub(r"(?<=\b\w) - (?=[\w(])", " \u2212 ", text)
+    text = re.sub(r"(?<!['\w])([A-Za-z])'(?!\w)", "\\1\u2032", re.sub(r"(?:(?<=\w)|^)'s\b", "\u2019s", text))
     return re.sub(r"\b([a-z]{2,})_([a-z]{2,})\b", r"\1 \2", text)
 
 
