@@ -58,10 +58,10 @@ def _tables(locator: Locator) -> tuple[Any, ...]:
     subgroup, cells = locator.subgroup, locator.cells
     assert cells is not None
     parts = [("ABCD".index(p.kind), p.start, p.columns.stop - p.start) for p in subgroup.parts]
-    forms = np.moveaxis(cells.forms * cells.marks[:, None], 1, 2) / cells.scale
+    forms = np.moveaxis(cells.forms * cells.marks[:, None], 1, 2)[:, :, 1:] / cells.scale
     (outward, below), wide = subgroup.outward, kernels.WIDTH
     missing = wide - subgroup.width
-    forms = np.pad(forms, [(0, 0), (0, 0), (0, wide + 1 - forms.shape[2])])
+    forms = np.pad(forms, [(0, 0), (0, 0), (0, wide - forms.shape[2])])
     return (
         np.array(parts),
         np.insert(cells.walls.astype(np.float64), [subgroup.width] * missing, 0, axis=1),

@@ -1,9 +1,9 @@
-"""The same folding, compiled by Numba: the same keys, and coordinates that differ in no more than the last bits
-of a sum.
+"""The same folding, compiled by Numba: the same keys, and coordinates that differ in no more than the last
+bits of a sum.
 
 Points go side by side, a block at a time, one coordinate after the other: so the innermost loops run over
-points, and become vector instructions. Numba is optional; without it NumPy does all the work. Kinds are numbers
-here: A, B, C, D are 0 to 3.
+points, and become vector instructions. Numba is optional; without it NumPy does all the work. Kinds are
+numbers here: A, B, C, D are 0 to 3.
 """
 
 from __future__ import annotations
@@ -19,12 +19,14 @@ SMALL = 40
 """Up to so many coordinates, counting for each those before it is the fastest way to sort."""
 WIDTH = 8
 """No exceptional group needs more coordinates."""
+compiled = njit(cache=True, error_model="numpy")
+"""Nothing is divided by 0, and where that has to be checked there are no vector instructions."""
 
 
 # -- sorting -------------------------------------------------------------------------------------------------
 
 
-@njit(cache=True)
+@compiled
 def count_before(bits: Any, bounds: Any, c: int, place: Any) -> None:
     """How many of c coordinates come before each, as in `sorting`: one comparison for each pair."""
     for i in range(c):
@@ -37,7 +39,7 @@ def count_before(bits: Any, bounds: Any, c: int, place: Any) -> None:
                 place[j, q] += 1.0 - first
 
 
-@njit(cache=True)
+@compiled
 def sort_each(rest: Any, c: int, count: int, signed: bool, place: Any) -> None:
     """The same for many coordinates, point by point."""
     for q in range(count):
@@ -53,7 +55,7 @@ def sort_each(rest: Any, c: int, count: int, signed: bool, place: Any) -> None:
 # -- folding -------------------------------------------------------------------------------------------------
 
 
-@njit(cache=True)
+@compiled
 def fold_plain(
     z: Any, c: int, count: int, rest: Any, sizes: Any, bounds: Any, sums: Any, shift: Any, place: Any
 ) -> None:
@@ -89,7 +91,7 @@ def fold_plain(
             shift[i, q] += lift
 
 
-@njit(cache=True)
+@compiled
 def fold_signed(
     z: Any, c: int, count: int, kind: int, rest: Any, sizes: Any, bounds: Any, sums: Any, shift: Any,
     place: Any, signs: Any,
@@ -136,7 +138,7 @@ def fold_signed(
 # -- locating ------------------------------------------------------------------------------------------------
 
 
-@njit(cache=True)
+@compiled
 def load(points: Any, begin: int, count: int, lengths: Any, z: Any, sums: Any, sizes: Any) -> None:
     """A block of points as columns, and the greatest size of a coordinate.
 
@@ -168,7 +170,7 @@ def load(points: Any, begin: int, count: int, lengths: Any, z: Any, sums: Any, s
         sizes[begin + q] = sums[1, q]
 
 
-@njit(cache=True)
+@compiled
 def store(columns: Any, begin: int, count: int, rows: Any) -> None:
     """A block of columns as rows."""
     for q in range(count):
@@ -176,7 +178,7 @@ def store(columns: Any, begin: int, count: int, rows: Any) -> None:
             rows[begin + q, k] = columns[k, q]
 
 
-@njit(cache=True)
+@compiled
 def settle(
     levels: Any, labels: int, begin: int, count: int, factor: float, sizes: Any, sums: Any, near: Any
 ) -> None:
@@ -195,7 +197,7 @@ def settle(
         near[begin + q] = sums[0, q] <= sizes[begin + q] * factor
 
 
-@njit(cache=True)
+@compiled
 def levels_of(x: Any, m: int, kind: int, levels: Any) -> None:
     """Barycentric coordinates, from those of the roots in order: as in `coordinates`."""
     for j in range(1, m):
@@ -217,7 +219,7 @@ def levels_of(x: Any, m: int, kind: int, levels: Any) -> None:
             levels[m, q] = x[m - 2, q] + x[m - 1, q]
 
 
-@njit(cache=True)
+@compiled
 def locate_classical(
     points: Any, kind: int, lengths: Any, key_unit: int, centre: Any, factor: float, keys: Any, shares: Any,
     near: Any, sizes: Any,
@@ -246,7 +248,7 @@ def locate_classical(
         store(levels, begin, count, shares)
 
 
-@njit(cache=True, fastmath={"reassoc", "contract"})
+@njit(cache=True, error_model="numpy", fastmath={"reassoc", "contract"})
 def find_cells(x: Any, walls: Any, children: Any, depth: int, finest: float, nodes: Any) -> None:
     """Down the tree with several points side by side, which hides how long each step takes.
 
@@ -263,7 +265,33 @@ def find_cells(x: Any, walls: Any, children: Any, depth: int, finest: float, nod
             nodes[q] = children[node, int(level < 0)]
 
 
-@njit(cache=True)
+@compiled
+def sum_up(levels: Any, labels: int) -> None:
+    """Coordinate 0 is 1 less all others."""
+    for q in range(BLOCK):
+        levels[0, q] = 1.0
+    for k in range(1, labels):
+        for q in range(BLOCK):
+            levels[0, q] -= levels[k, q]
+
+
+@compiled
+def multiply(rows: Any, c: int, matrix: Any, below: int, m: int, images: Any) -> None:
+    """The product of a matrix with few entries and c rows, over a number that divides it."""
+    for i in range(m):
+        for q in range(BLOCK):
+            images[i, q] = 0
+        for j in range(c):
+            factor = matrix[j, i]
+            if factor != 0:
+                for q in range(BLOCK):
+                    images[i, q] += factor * rows[j, q]
+        if below != 1:
+            for q in range(BLOCK):
+                images[i, q] = int(np.rint(images[i, q] / below))
+
+
+@compiled
 def locate_in_cells(
     points: Any, parts: Any, walls: Any, children: Any, depth: int, forms: Any, centres: Any, outward: Any,
     below: int, key_unit: int, finest: float, factor: float, keys: Any, shares: Any, near: Any, sizes: Any,
@@ -272,13 +300,12 @@ def locate_in_cells(
 
     Tables are filled up with zeros to a fixed width, so that the innermost loops are unrolled.
     """
-    c, m, labels = points.shape[1], keys.shape[1], shares.shape[1]
-    z, rest = np.empty((c, BLOCK)), np.empty((c, BLOCK))
-    shift, place = np.empty((c, BLOCK)), np.empty((c, BLOCK))
-    signs, size_of, nothing = np.ones((c, BLOCK)), np.empty((c, BLOCK)), np.empty(0)
-    bounds, sums = np.empty((c, BLOCK), np.int64), np.empty((2, BLOCK))
-    x, fine, nodes = np.zeros((BLOCK, WIDTH)), np.zeros((BLOCK, WIDTH)), np.empty(BLOCK, np.int64)
-    level, image, levels = np.empty(WIDTH + 1), np.empty(WIDTH, np.int64), np.zeros((labels, BLOCK))
+    c, labels = points.shape[1], shares.shape[1]
+    z, rest, nothing = np.empty((c, BLOCK)), np.empty((c, BLOCK)), np.empty(0)
+    shift, place, signs = np.empty((c, BLOCK)), np.empty((c, BLOCK)), np.ones((c, BLOCK))
+    size_of, bounds, sums = np.empty((c, BLOCK)), np.empty((c, BLOCK), np.int64), np.empty((2, BLOCK))
+    x, fine, nodes = np.zeros((BLOCK, WIDTH)), np.empty((BLOCK, WIDTH)), np.empty(BLOCK, np.int64)
+    level, levels, images = np.empty(WIDTH), np.zeros((labels, BLOCK)), np.empty((WIDTH, BLOCK), np.int64)
     for begin in range(0, len(points), BLOCK):
         count = min(BLOCK, len(points) - begin)
         load(points, begin, count, nothing, z, sums, sizes)
@@ -293,24 +320,24 @@ def locate_in_cells(
                 for q in range(BLOCK):
                     at[i, q] += start
                     x[q, int(at[i, q])] = rest[i, q]
-                    fine[q, int(at[i, q])] = np.rint(rest[i, q] * finest)
-        find_cells(fine, walls, children, depth, finest, nodes)
-        for q in range(count):
-            p, cell = begin + q, nodes[q]
-            for k in range(WIDTH + 1):
-                level[k] = forms[cell, WIDTH, k]
-            for i in range(c):
-                for k in range(WIDTH + 1):
-                    level[k] += x[q, i] * forms[cell, i, k]
-            for k in range(labels):
-                levels[k, q] = level[k]
+        for q in range(BLOCK):
             for i in range(WIDTH):
-                image[i] = 0
+                fine[q, i] = np.rint(x[q, i] * finest)
+        find_cells(fine, walls, children, depth, finest, nodes)
+        for q in range(BLOCK):
+            cell = nodes[q]
+            for k in range(WIDTH):
+                level[k] = forms[cell, WIDTH, k]
+            for i in range(WIDTH):
+                for k in range(WIDTH):
+                    level[k] += x[q, i] * forms[cell, i, k]
+            for k in range(1, labels):
+                levels[k, q] = level[k - 1]
             for j in range(c):
-                key = int(shift[j, q]) * key_unit + int(signs[j, q]) * centres[cell, int(place[j, q])]
-                for i in range(WIDTH):
-                    image[i] += key * outward[j, i]
-            for i in range(m):
-                keys[p, i] = image[i] if below == 1 else int(np.rint(image[i] / below))
+                image = signs[j, q] * centres[cell, int(place[j, q])]
+                bounds[j, q] = int(shift[j, q]) * key_unit + int(image)
+        sum_up(levels, labels)
         settle(levels, labels, begin, count, factor, sizes, sums, near)
         store(levels, begin, count, shares)
+        multiply(bounds, c, outward, below, keys.shape[1], images)
+        store(images, begin, count, keys)
