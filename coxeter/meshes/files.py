@@ -225,6 +225,8 @@ def check_path(path: str | os.PathLike[str], d: int, m: int | None = None) -> No
     fit = [x for x, form in FORMATS.items() if d in form.cells and d <= m <= 3] + [NPZ]
     if suffix not in fit:
         raise InvalidInput(f"{suffix} holds no {d}-simplices in R^{m}: write {', '.join(fit)}")
+    if path.is_dir():
+        raise InvalidInput(f"{path} is a folder: give the name of a file")
     if not path.resolve().parent.is_dir():
         raise InvalidInput(f"there is no folder {path.parent} to write {path.name} to")
     if suffix != NPZ:
