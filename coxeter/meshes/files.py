@@ -69,9 +69,11 @@ FORMATS = {
     ".tec": Format("tecplot", data=ALL, vectors=False, flat=True),
     ".vol": Format("netgen", flat=True),
     ".su2": Format("su2", cells=(3,)),
-    ".cgns": Format("cgns", cells=(3,)),
 }
-"""The formats that are written; all keep points and cells as they are."""
+"""The formats that are written; all keep points and cells as they are.
+
+CGNS is not among them: what meshio writes as such lacks the nodes that the standard asks for, and VTK refuses it.
+"""
 UNREADABLE = (".svg", ".wkt")
 """Suffixes that meshio knows, and does not read or not in time."""
 
