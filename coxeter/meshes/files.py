@@ -72,7 +72,7 @@ FORMATS = {
 }
 """The formats that are written; all keep points and cells as they are.
 
-CGNS is not among them: what meshio writes as such lacks the nodes that the standard asks for, and VTK refuses it.
+CGNS is not among them: VTK cannot read what meshio writes as such.
 """
 UNREADABLE = (".svg", ".wkt")
 """Suffixes that meshio knows, and does not read or not in time."""
