@@ -377,7 +377,7 @@ def test_the_lower_bound_for_the_number_of_simplices_is_one(name, data):
     assert found.at_least() <= len(found.keys())
 
 
-@pytest.mark.parametrize(("name", "d"), [("A~40", 40), ("C~60", 60)])
+@pytest.mark.parametrize(("name", "d"), [("A~10", 10), ("A~40", 40)])
 def test_a_point_in_many_dimensions_lies_in_one_simplex(name, d):
     point = np.random.default_rng(5).uniform(size=d)
     assert len(Grid(name).alcoves_in_box(point, point)) == 1
