@@ -82,6 +82,9 @@ def test_mesh_says_what_a_format_does_not_keep(capsys, tmp_path):
         (("A~3", "--ball", "0,0,0,1", "--offset", "1,2"), "--offset '1,2'"),
         (("A~3", "--ball", "0,0,0,1", "--scale", "0"), "scale"),
         (("A~3", "--ball", "0,0,0,1", "--scale", "1e-6"), "too many"),
+        (("A~3", "--ball", "0,0,0,1", "--scale", "1e300"), "the scale 1e+300 is none: give one from"),
+        (("A~3", "--ball", "0,0,0,1e300"), "too many"),
+        (("A~3", "--ball", "0,0,0,1", "--offset", ""), "--offset ''"),
         (("H~3", "--ball", "0,0,0,1"), "H~3"),
         (("C~4", "--ball", "0,0,0,0,1"), "write .npz"),
     ],
@@ -101,6 +104,14 @@ def test_a_path_that_cannot_be_is_refused_before_the_work(capsys, tmp_path, monk
     status, _, err = run(capsys, "mesh", "A~3", "--ball", "0,0,0,1", "-o", tmp_path / name)
     assert status == 2
     assert "out" in err
+
+
+def test_a_folder_is_refused_as_a_file_before_the_work(capsys, tmp_path, monkeypatch):
+    monkeypatch.setattr(Grid, "patch_in_ball", None)
+    (tmp_path / "out.vtu").mkdir()
+    status, _, err = run(capsys, "mesh", "A~3", "--ball", "0,0,0,1", "-o", tmp_path / "out.vtu")
+    assert status == 2
+    assert "out.vtu is a folder: give the name of a file" in err
 
 
 @pytest.mark.parametrize(

@@ -125,6 +125,12 @@ def test_bad_points_and_sums_are_refused():
         grid.interpolate([[0.3, float("nan")]], np.sin)
     with pytest.raises(InvalidInput, match="a row for each of 1 points"):
         grid.splat([[0.3, 0.1]], [1, 2])
+    masked = np.ma.masked_array([1.0], [True])
+    for values in ([1j], np.array([1j]), masked, [10**400]):
+        with pytest.raises(InvalidInput, match="real numbers, a row for each of 1 points"):
+            grid.splat([[0.3, 0.1]], values)
+    with pytest.raises(InvalidInput, match="real numbers, a row for each of 3 vertices"):
+        grid.interpolate([[0.3, 0.1]], lambda x: x[:, 0] * 1j)
     with pytest.raises(InvalidInput, match="do not tell simplices apart"):
         grid.splat([[1e13, 0.1]], [1])
 

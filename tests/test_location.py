@@ -202,6 +202,60 @@ def test_bad_points_are_refused(points, told):
         Grid("B~3").locate(points)
 
 
+@pytest.mark.parametrize("compiled", [True, False])
+@pytest.mark.parametrize("name", ["A~3", "B~3", "E~6", "E~8"])
+@pytest.mark.parametrize("scale", [1, 0.5])
+@pytest.mark.filterwarnings("ignore:overflow|ignore:invalid")
+def test_what_overflows_on_the_way_is_refused(name, scale, compiled, monkeypatch):
+    if not compiled:
+        monkeypatch.setattr("coxeter.location.compiled.kernels", None)
+    d = int(name[-1])
+    for size in (1e13, 1e300, 1.7e308):
+        points = np.where(np.arange(d) % 2, size, -size)[None]
+        with pytest.raises(InvalidInput, match="in units of the roots"):
+            Grid(name, scale=scale).locate(points)
+
+
+@pytest.mark.parametrize(
+    "points",
+    [[[1, 2, 3], [4]], np.ma.array([[1.0, 2.0, 3.0]], mask=[[0, 1, 0]]), [["a", "b", "c"]], [[1j, 0, 0]]],
+)
+def test_what_is_no_array_of_points_is_refused(points):
+    with pytest.raises(InvalidInput):
+        Grid("A~3").locate(points)
+
+
+def test_the_row_of_a_bad_point_is_told_in_whichever_chunk_it_is():
+    points = np.zeros((100_000, 3))
+    points[70_000, 1] = np.nan
+    with pytest.raises(InvalidInput, match="row 70000 "):
+        Grid("A~3").locate(points)
+
+
+@pytest.mark.parametrize(
+    "settings",
+    [
+        {"scale": "x"},
+        {"scale": None},
+        {"scale": 1j},
+        {"scale": [1, 2]},
+        {"rotation": [[1], [2, 3]]},
+        {"rotation": 1j * np.eye(3)},
+        {"offset": "abc"},
+        {"offset": [1j, 0, 0]},
+        {"offset": [[1], [2, 3]]},
+    ],
+)
+def test_settings_that_are_no_numbers_are_refused(settings):
+    with pytest.raises(InvalidInput):
+        Grid("A~3", **settings)
+
+
+def test_coordinates_of_the_roots_need_a_plain_grid():
+    with pytest.raises(InvalidInput, match="in the coordinates of the roots"):
+        Grid("A~3", scale=0.5).locate([[1.0, -1.0, 0.0, 0.0]])
+
+
 def test_a_rotation_typed_with_ten_digits_goes_and_comes_back():
     turn = np.round([[np.cos(1), -np.sin(1)], [np.sin(1), np.cos(1)]], 10)
     grid = Grid("C~2", rotation=turn)

@@ -328,3 +328,11 @@ def test_dask_says_the_same_on_two_workers():
     assert (found.cells, found.degenerate_cells) == (expected.cells, expected.degenerate_cells)
     for name, values in mesh_qualities(mesh, ["thickness", "fatness"]).items():
         assert np.array_equal(values, arrays[name], equal_nan=True)
+
+
+@pytest.mark.parametrize(
+    "points", [[[0, 0], [1j, 0], [0, 1]], [["a", 0], [1, 0], [0, 1]], [[0], [1, 2], [0, 1]]]
+)
+def test_points_that_are_no_real_numbers_are_refused(points):
+    with pytest.raises(InvalidInput, match="rows of real numbers"):
+        Mesh(points, [[0, 1, 2]])

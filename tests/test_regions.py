@@ -6,7 +6,7 @@ from math import factorial
 
 import numpy as np
 import pytest
-from hypothesis import given
+from hypothesis import given, settings
 from hypothesis import strategies as st
 from scipy.optimize import linprog
 from scipy.spatial import Delaunay, cKDTree
@@ -314,6 +314,10 @@ def test_the_order_is_that_of_the_keys():
         ([0, 0, 0], ["a", 1, 1], "expected 3 numbers"),
         ([0, 0, 0], [1e5, 1e5, 1e5], "too many to hold"),
         ([1e13, 0, 0], [1e13, 1, 1], "do not tell simplices apart"),
+        ([0, 0, 0], [1e11, 0, 0], "too many to hold"),
+        ([0, 0, 0], [1e6, 1e6, 0], "too many to hold"),
+        ([-1.7e308] * 3, [1.7e308] * 3, "too many to hold"),
+        ([0, 0, 0], [10**400] * 3, "floats can hold"),
     ],
 )
 def test_bad_boxes_are_refused(lower, upper, told):
@@ -329,12 +333,55 @@ def test_bad_boxes_are_refused(lower, upper, told):
         ([0, 0, 0], float("inf"), "no radius"),
         ([0, 0], 1, "expected 3"),
         ([0, 0, 0], 1e4, "too many to hold"),
+        ([0, 0, 0], 1e300, "too many to hold"),
+        ([0, 0, 0], 10**400, "no radius"),
+        ([0, 0, 0], "x", "no radius"),
+        ([0, 0, 0], None, "no radius"),
     ],
 )
 def test_bad_balls_are_refused(centre, radius, told):
     for ask in (Grid("B~3").alcoves_in_ball, Grid("B~3").vertices_in_ball, Grid("B~3").patch_in_ball):
         with pytest.raises(InvalidInput, match=told):
             ask(centre, radius)
+
+
+def test_more_simplices_at_a_vertex_than_memory_holds_are_refused_at_once():
+    grid = Grid("E~8")
+    for ask in (
+        lambda: grid.alcoves_in_box([0] * 8, [0] * 8),
+        lambda: grid.alcoves_in_ball([0] * 8, 0.1),
+        lambda: grid.star(grid.locate([[0.0] * 8]).keys[0], 0),
+    ):
+        with pytest.raises(InvalidInput, match=r"at least 6\.97e\+08 simplices: too many"):
+            ask()
+    assert len(grid.vertices_in_ball([0] * 8, 0)) == 1
+
+
+@pytest.mark.parametrize("label", [3, -1, "1", 1.5, None])
+def test_what_is_no_label_has_no_star(label):
+    grid = Grid("C~2")
+    with pytest.raises(InvalidInput, match="no label: give an integer from 0 to 2"):
+        grid.star(grid.locate([[0.3, 0.1]]).keys[0], label)
+
+
+@pytest.mark.parametrize("name", ["A~2", "B~3", "D~4", "F~4", "G~2"])
+@given(data=st.data())
+@settings(max_examples=4, deadline=None)
+def test_the_lower_bound_for_the_number_of_simplices_is_one(name, data):
+    grid = Grid(name, scale=data.draw(st.sampled_from([0.7, 3.0])))
+    d = grid.dimension
+    lower = np.array(data.draw(st.lists(st.floats(-1, 1), min_size=d, max_size=d)))
+    sizes = np.array(data.draw(st.lists(st.sampled_from([0, 0.1, 1, 2]), min_size=d, max_size=d)))
+    found = search(grid, Box.between(lower, lower + sizes, d))
+    assert found.at_least() <= len(found.keys())
+    found = search(grid, Ball.around(lower, sizes[0], d))
+    assert found.at_least() <= len(found.keys())
+
+
+@pytest.mark.parametrize(("name", "d"), [("A~10", 10), ("A~40", 40)])
+def test_a_point_in_many_dimensions_lies_in_one_simplex(name, d):
+    point = np.random.default_rng(5).uniform(size=d)
+    assert len(Grid(name).alcoves_in_box(point, point)) == 1
 
 
 # -- rows ---------------------------------------------------------------------------------------------------

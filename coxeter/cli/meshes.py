@@ -85,8 +85,9 @@ def _numbers(option: str, text: str, expected: int, what: str) -> list[float]:
 
 def _mesh(options: argparse.Namespace) -> Answer:
     d = Grid(options.type).dimension
-    offset = options.offset and _numbers("--offset", options.offset, d, f"{d} coordinates")
-    grid = Grid(options.type, scale=options.scale, offset=offset or None)
+    given = options.offset
+    offset = None if given is None else _numbers("--offset", given, d, "the coordinates of u_0")
+    grid = Grid(options.type, scale=options.scale, offset=offset)
     check_path(options.output, d)
     with _stopped_by_sigterm(), progress() as show, warnings.catch_warnings(record=True) as notes:
         warnings.simplefilter("always")

@@ -19,6 +19,10 @@ from .rows import flood, in_order
 from .subgroups import Ints, Subgroup, subgroup
 
 Floats = NDArray[np.float64]
+LARGEST_ANSWER = 2**28
+"""More simplices or vertices than this, over d + 1, are not looked for: they would not fit in memory."""
+LARGEST_SCALE = 1e100
+"""Squares and products of lengths stay floats."""
 LARGEST_KEY = 2**50
 """From here on keys are Python's integers: what is made of them might not fit in 64 bits."""
 
@@ -35,6 +39,9 @@ class Alcoves:
     ) -> None:
         self.triangulation: CoxeterTriangulation = triangulation(getattr(name, "name", name))
         self.frame: Frame = frame_of(self.triangulation, scale, rotation, offset)
+        if not 1 / LARGEST_SCALE <= self.frame.scale <= LARGEST_SCALE:
+            least, most = 1 / LARGEST_SCALE, LARGEST_SCALE
+            raise InvalidInput(f"the scale {self.frame.scale:g} is none: give one from {least:g} to {most:g}")
 
     def __reduce__(self) -> tuple[Any, ...]:
         """A grid is sent to another process as what it was made from; what is computed of it is not."""
@@ -99,6 +106,9 @@ class Alcoves:
 
     def star(self, key: Sequence[int], label: int) -> Ints:
         """The keys of all simplices that share a vertex of one of them, given by its label; in order."""
+        if label not in range(self.dimension + 1):
+            raise InvalidInput(f"{label!r} is no label: give an integer from 0 to {self.dimension}")
+        check_count(self.meeting_at(label), self.dimension)
         others = [k for k in range(self.dimension + 1) if k != label]
 
         def around(keys: Ints) -> Ints:
@@ -107,6 +117,10 @@ class Alcoves:
         found = flood(self._read([key]), around)
         assert found is not None
         return in_order(found)
+
+    def meeting_at(self, label: int) -> int:
+        """How many simplices share a vertex with that label: the order of its stabiliser."""
+        return self.triangulation.simplex._stabiliser(label)
 
     @cached_property
     def _locator(self) -> Locator:
@@ -134,6 +148,13 @@ class Alcoves:
             raise InvalidInput(f"keys of {self.triangulation.name} are rows of {len(self._centre)} integers")
         largest = max(-int(array.min(initial=0)), int(array.max(initial=0)))
         return array.astype(np.int64 if largest < LARGEST_KEY else object)
+
+
+def check_count(count: float, d: int, what: str = "simplices") -> None:
+    """Refuse to look for more than fits in memory, by a lower bound for the count."""
+    if count * (d + 1) > LARGEST_ANSWER:
+        least = min(count, 10**300)
+        raise InvalidInput(f"there are at least {least:.3g} {what}: too many to hold; ask for fewer")
 
 
 def _whole(array: NDArray[Any]) -> bool:

@@ -12,6 +12,7 @@ from typing import Protocol
 
 import numpy as np
 from numpy.typing import ArrayLike
+from scipy.special import gammaln
 
 from ..errors import InvalidInput
 from .feasible import TINY, Flags, Floats, feasible
@@ -32,8 +33,8 @@ class Region(Protocol):
         """Half the edges of the least box around it."""
 
     @property
-    def volume(self) -> float:
-        """Its volume."""
+    def sections(self) -> Floats:
+        """The logarithms of the volumes of flat pieces of it, of dimension 1 to d; the last is all of it."""
 
     def enlarged(self, by: float) -> Region:
         """The same, with all that lies within a distance."""
@@ -62,12 +63,13 @@ class Box:
         if (low > high).any():
             k = int(np.flatnonzero(low > high)[0])
             raise InvalidInput(f"coordinate {k} of the box runs from {low[k]:g} to {high[k]:g}: swap them")
-        return cls((low + high) / 2, (high - low) / 2)
+        return cls(low / 2 + high / 2, high / 2 - low / 2)
 
     @property
-    def volume(self) -> float:
-        """The product of its edges."""
-        return float(np.prod(2 * self.half))
+    def sections(self) -> Floats:
+        """The logarithms of the volumes of its largest faces, of dimension 1 to d."""
+        with np.errstate(divide="ignore"):
+            return np.cumsum(np.log(2) + np.log(np.sort(self.half)[::-1]))
 
     def enlarged(self, by: float) -> Box:
         """A larger box."""
@@ -108,7 +110,10 @@ class Ball:
     @classmethod
     def around(cls, centre: ArrayLike, radius: float, d: int) -> Ball:
         """The ball of a radius, 0 or more, about a centre."""
-        size = float(radius)
+        try:
+            size = float(radius)
+        except (TypeError, ValueError, OverflowError):
+            size = math.nan
         if not (math.isfinite(size) and size >= 0):
             raise InvalidInput(f"{radius!r} is no radius: give a number that is 0 or more")
         return cls(_vector(centre, d, "the centre"), size)
@@ -119,10 +124,9 @@ class Ball:
         return np.full(len(self.centre), self.radius)
 
     @property
-    def volume(self) -> float:
-        """The volume of a ball."""
-        d = len(self.centre)
-        return float(math.pi ** (d / 2) / math.gamma(d / 2 + 1) * self.radius**d)
+    def sections(self) -> Floats:
+        """The logarithms of the volumes of balls of dimension 1 to d."""
+        return balls(len(self.centre), self.radius)
 
     def enlarged(self, by: float) -> Ball:
         """A larger ball."""
@@ -180,11 +184,18 @@ def meets(region: Region, corners: Floats, gradients: Floats) -> Flags:
     return result
 
 
+def balls(d: int, radius: float) -> Floats:
+    """The logarithms of the volumes π^(k/2) r^k / (k/2)! of balls of dimension k = 1 to d."""
+    half = np.arange(1, d + 1) / 2
+    length = 2 * math.log(radius) if radius else -math.inf
+    return np.asarray(half * (math.log(math.pi) + length) - gammaln(half + 1))
+
+
 def _vector(given: ArrayLike, d: int, what: str) -> Floats:
     try:
         vector = np.array(given, dtype=np.float64)
-    except (TypeError, ValueError):
-        raise InvalidInput(f"{what} is {given!r}: expected {d} numbers") from None
+    except (TypeError, ValueError, OverflowError):
+        raise InvalidInput(f"{what} is {given!r}: expected {d} numbers that floats can hold") from None
     if vector.shape != (d,) or not np.isfinite(vector).all():
         raise InvalidInput(f"{what} is {np.asarray(given).tolist()}: expected {d} finite numbers")
     return vector

@@ -128,19 +128,18 @@ def frame_of(
         If the scale is not a positive number, the matrix not orthogonal, or a shape wrong.
     """
     d = triangulation.dimension
-    factor = float(scale)
-    if not (np.isfinite(factor) and factor > 0):
+    factor = float(_numbers(scale, (), f"{scale!r} is no scale: give a positive number"))
+    if factor <= 0:
         raise InvalidInput(f"{scale!r} is no scale: give a positive number")
     matrix = vector = None
     if rotation is not None:
-        matrix = np.array(rotation, dtype=np.float64)
-        if matrix.shape != (d, d) or not np.allclose(matrix @ matrix.T, np.eye(d), rtol=0, atol=1e-9):
-            raise InvalidInput(f"the rotation is no orthogonal matrix of shape ({d}, {d})")
+        told = f"the rotation is no orthogonal matrix of shape ({d}, {d})"
+        matrix = _numbers(rotation, (d, d), told)
+        if not np.allclose(matrix @ matrix.T, np.eye(d), rtol=0, atol=1e-9):
+            raise InvalidInput(told)
         matrix = _orthogonal(matrix)
     if offset is not None:
-        vector = np.array(offset, dtype=np.float64)
-        if vector.shape != (d,) or not np.isfinite(vector).all():
-            raise InvalidInput(f"the offset must be {d} finite numbers")
+        vector = _numbers(offset, (d,), f"the offset must be {d} finite numbers")
     return Frame(triangulation, factor, matrix, vector)
 
 
@@ -152,3 +151,15 @@ def _orthogonal(matrix: Floats) -> Floats:
     """
     correction: Floats = matrix @ (matrix.T @ matrix - np.eye(len(matrix))) / 2
     return matrix - correction
+
+
+def _numbers(given: ArrayLike, shape: tuple[int, ...], told: str) -> Floats:
+    """Finite real numbers in an array of a shape, or a refusal in given words."""
+    try:
+        array = np.array(given)
+        numbers = array.astype(np.float64) if array.dtype.kind in "fiuO" else np.empty(0)
+    except (TypeError, ValueError, OverflowError):
+        raise InvalidInput(told) from None
+    if array.shape != shape or numbers.shape != shape or not np.isfinite(numbers).all():
+        raise InvalidInput(told)
+    return numbers

@@ -123,7 +123,7 @@ class Grid(Alcoves):
             np.empty(n, bool),
         )
         for i in range(0, n, rows):
-            self._locate_some(as_floats(array[i : i + rows]), found[i : i + rows])
+            self._locate_some(as_floats(array[i : i + rows], i), found[i : i + rows])
         return Location(self, found.keys, found.barycentric, found.open)
 
     def locate_chunks(self, points: ArrayLike, chunk: int = 1 << 16) -> Iterator[Location]:

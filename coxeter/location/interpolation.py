@@ -122,9 +122,13 @@ def interpolation_at(grid: Grid, points: ArrayLike) -> Interpolation:
 
 def _rows(values: Any, n: int, what: str) -> Floats:
     try:
+        if np.ma.is_masked(values) or np.iscomplexobj(values):
+            raise TypeError
         array = np.asarray(values, dtype=np.float64)
-    except (TypeError, ValueError):
-        raise InvalidInput(f"values must be numbers, a row for each of {n} {what}") from None
+    except (TypeError, ValueError, OverflowError):
+        raise InvalidInput(
+            f"values must be real numbers without a mask, a row for each of {n} {what}"
+        ) from None
     if array.ndim not in (1, 2) or len(array) != n:
         raise InvalidInput(f"values of shape {array.shape} were given: expected a row for each of {n} {what}")
     return array

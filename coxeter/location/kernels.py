@@ -19,6 +19,8 @@ SMALL = 40
 """Up to so many coordinates, counting for each those before it is the fastest way to sort."""
 WIDTH = 8
 """No exceptional group needs more coordinates."""
+HUGE = 2.0**42
+"""Points with greater coordinates are refused by who reads their sizes; till then they are 0."""
 compiled = njit(cache=True, error_model="numpy")
 """Nothing is divided by 0, and where that has to be checked there are no vector instructions."""
 
@@ -162,10 +164,16 @@ def load(points: Any, begin: int, count: int, lengths: Any, z: Any, sums: Any, s
                 z[k + 1, q] -= share * (k + 1)
                 z[k, q] = sums[0, q]
     for q in range(BLOCK):
-        sums[1, q] = 1.0
+        sums[0, q], sums[1, q] = 0.0, 1.0
     for k in range(m):
         for q in range(BLOCK):
+            sums[0, q] += 0.0 * z[k, q]  # not 0 if one is not finite
             sums[1, q] = max(sums[1, q], abs(z[k, q]))
+    for q in range(BLOCK):
+        sums[1, q] = sums[1, q] if sums[0, q] == 0.0 else np.inf
+    for k in range(m):
+        for q in range(BLOCK):
+            z[k, q] = z[k, q] if sums[1, q] < HUGE else 0.0
     for q in range(count):
         sizes[begin + q] = sums[1, q]
 
@@ -211,12 +219,10 @@ def levels_of(x: Any, m: int, kind: int, levels: Any) -> None:
             levels[m, q] = 2.0 * x[m - 1, q]
         if kind == 2:
             levels[0, q] = 1.0 - 2.0 * x[0, q]
-        if kind == 1 or kind == 3:
-            levels[0, q] = 1.0 - (x[0, q] + x[1, q])
-            levels[1, q] = x[0, q] - x[1, q]
+        if kind % 2 == 1:
+            levels[0, q], levels[1, q] = 1.0 - (x[0, q] + x[1, q]), x[0, q] - x[1, q]
         if kind == 3:
-            levels[m - 1, q] = x[m - 2, q] - x[m - 1, q]
-            levels[m, q] = x[m - 2, q] + x[m - 1, q]
+            levels[m - 1, q], levels[m, q] = x[m - 2, q] - x[m - 1, q], x[m - 2, q] + x[m - 1, q]
 
 
 @compiled

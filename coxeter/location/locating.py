@@ -107,7 +107,12 @@ def read(points: ArrayLike, frame: Frame, columns: tuple[int, int]) -> NDArray[A
     InvalidInput
         If the shape is wrong, or something is no finite number.
     """
-    array = np.asarray(points)
+    if isinstance(points, np.ma.MaskedArray):
+        raise InvalidInput("points with a mask were given: leave out those that are masked")
+    try:
+        array = np.asarray(points)
+    except (TypeError, ValueError):
+        raise InvalidInput("points are no array: give rows of equal length, one for each point") from None
     d, m = columns
     if array.size == 0 and array.ndim < 2:
         array = np.empty((0, d))
@@ -115,6 +120,11 @@ def read(points: ArrayLike, frame: Frame, columns: tuple[int, int]) -> NDArray[A
         also = f" (or {m}, in the coordinates of the roots)" if m != d else ""
         raise InvalidInput(
             f"points of shape {array.shape} were given: expected (n, {d}){also}, a row for each point"
+        )
+    if array.shape[1] != d and not frame.plain:
+        raise InvalidInput(
+            f"points of shape {array.shape} were given, in the coordinates of the roots: in a grid with a scale, "
+            f"rotation or offset expected (n, {d})"
         )
     if array.dtype.kind == "O":
         return _exact(array)
@@ -125,8 +135,8 @@ def read(points: ArrayLike, frame: Frame, columns: tuple[int, int]) -> NDArray[A
     return array
 
 
-def as_floats(array: NDArray[Any]) -> Floats:
-    """Some rows as finite floats.
+def as_floats(array: NDArray[Any], first: int = 0) -> Floats:
+    """Some rows, from the number of the first on, as finite floats.
 
     Raises
     ------
@@ -136,7 +146,7 @@ def as_floats(array: NDArray[Any]) -> Floats:
     array = array.astype(np.float64, copy=False)
     if not np.isfinite(array).all():
         row = int(np.flatnonzero(~np.isfinite(array).all(axis=1))[0])
-        raise InvalidInput(f"row {row} is {array[row].tolist()}: all coordinates must be finite")
+        raise InvalidInput(f"row {first + row} is {array[row].tolist()}: all coordinates must be finite")
     return array
 
 
@@ -159,7 +169,7 @@ def over_common_denominator(array: NDArray[Any]) -> tuple[NDArray[Any], int]:
 def check_size(sizes: Floats) -> None:
     """Refuse coordinates so large that floats no longer tell simplices apart."""
     largest = float(sizes.max(initial=0.0))
-    if largest > LARGEST:
+    if not largest <= LARGEST:
         raise InvalidInput(
             f"a coordinate is {largest:g} in units of the roots: floats do not tell simplices apart there; "
             f"give exact numbers, or stay below {LARGEST:g}"

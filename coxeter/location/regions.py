@@ -15,6 +15,7 @@ vectors may be entered as are no farther from K than the longest edge at vertex 
 
 from __future__ import annotations
 
+import math
 from collections.abc import Callable, Iterator
 from dataclasses import dataclass
 from functools import cached_property
@@ -22,8 +23,8 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
-from ..errors import InvalidInput
-from .convex import SLACK, Region, meets
+from .alcoves import LARGEST_ANSWER, check_count
+from .convex import SLACK, Region, balls, meets
 from .feasible import Flags, Floats
 from .rows import codes, distinct, flood, in_order
 from .subgroups import Ints
@@ -33,8 +34,6 @@ if TYPE_CHECKING:
 
 LARGEST_STAR = 60_000
 """Stars of more simplices are not made: then neighbours lead to neighbours, however many there are."""
-LARGEST_ANSWER = 2**28
-"""More simplices than this are not looked for: they would not fit in memory."""
 BLOCK = 1 << 18
 """So many simplices at a time are held in intermediate arrays."""
 
@@ -126,9 +125,29 @@ class Search:
 
     def few(self) -> Ints | None:
         """The same in any order, from neighbour to neighbour; None if stars are better."""
-        order = self.grid.triangulation.roots.weyl_group_order
-        limit = order if order <= LARGEST_STAR else None
-        return flood(self._middle, self._around, self._meets, limit=limit)
+        grid, order = self.grid, self.grid.triangulation.roots.weyl_group_order
+        check_count(self.at_least(), grid.dimension)
+        if order <= LARGEST_STAR:
+            return flood(self._middle, self._around, self._meets, limit=order)
+        inside = self.region.distance(self._place(grid.corners(self._middle)[0])) == 0
+        check_count(max(map(grid.meeting_at, np.flatnonzero(inside).tolist()), default=1), grid.dimension)
+        limit = LARGEST_ANSWER // (grid.dimension + 1)
+        found = flood(self._middle, self._around, self._meets, limit=limit)
+        if found is None:
+            check_count(limit + 1, grid.dimension)
+        return found
+
+    def at_least(self) -> float:
+        """A lower bound for the number of simplices that meet the region.
+
+        A flat piece of dimension k has at most the volume of a k-ball in common with a simplex whose diameter
+        is the longest edge, as that is the diameter of the simplex (isodiametric inequality).
+        """
+        simplex, scale, d = self.grid.triangulation.simplex, self.grid.frame.scale, self.grid.dimension
+        largest = balls(d, scale * float(simplex.longest_edge) / 2)
+        if volume := float(simplex.volume):  # else it is too small for a float
+            largest[-1] = math.log(volume) + d * math.log(scale)
+        return math.exp(min((self.region.sections - largest).max(), 690))
 
     def stars(self) -> tuple[Ints, Ints, Ints]:
         """Vectors of L, and of each simplex that meets the region the number of its vertex 0 and its own."""
@@ -144,6 +163,8 @@ class Search:
     def lattice(self) -> Ints:
         """Vectors of L, times the unit: all that are vertex 0 of a simplex meeting the region, and more."""
         grid, unit = self.grid, self.grid.vertex_unit
+        order = min(grid.triangulation.roots.weyl_group_order, 10**300)
+        check_count(self.at_least() / order, grid.dimension, "vertices")  # each is vertex 0 of so many
         steps = orbit(grid, grid._subgroup.wall(0).reflect(0 * grid._centre, unit), unit)
         edges = np.linalg.norm(grid.frame.turned(grid._corners / unit), axis=1)
         wider = self.region.enlarged(float(edges.max()))
@@ -216,18 +237,7 @@ class Search:
 
 
 def search(grid: Grid, region: Region) -> Search:
-    """A region as it is searched.
-
-    Raises
-    ------
-    InvalidInput
-        If more simplices lie in it than fit in memory.
-    """
-    volume = float(grid.triangulation.simplex.volume) * grid.frame.scale**grid.dimension
-    if (count := region.volume / volume) > LARGEST_ANSWER:
-        raise InvalidInput(
-            f"the region is as large as {count:.3g} simplices: too many to hold; take parts of it"
-        )
+    """A region as it is searched."""
     largest = np.abs(region.centre).max() + region.reach(np.eye(grid.dimension)).max()
     offset = 0.0 if grid.frame.offset is None else np.abs(grid.frame.offset).max()
     return Search(grid, region.enlarged(SLACK * float(max(largest, offset, grid.frame.scale))))

@@ -69,9 +69,11 @@ FORMATS = {
     ".tec": Format("tecplot", data=ALL, vectors=False, flat=True),
     ".vol": Format("netgen", flat=True),
     ".su2": Format("su2", cells=(3,)),
-    ".cgns": Format("cgns", cells=(3,)),
 }
-"""The formats that are written; all keep points and cells as they are."""
+"""The formats that are written; all keep points and cells as they are.
+
+CGNS is not among them: VTK cannot read what meshio writes as such.
+"""
 UNREADABLE = (".svg", ".wkt")
 """Suffixes that meshio knows, and does not read or not in time."""
 
@@ -225,6 +227,8 @@ def check_path(path: str | os.PathLike[str], d: int, m: int | None = None) -> No
     fit = [x for x, form in FORMATS.items() if d in form.cells and d <= m <= 3] + [NPZ]
     if suffix not in fit:
         raise InvalidInput(f"{suffix} holds no {d}-simplices in R^{m}: write {', '.join(fit)}")
+    if path.is_dir():
+        raise InvalidInput(f"{path} is a folder: give the name of a file")
     if not path.resolve().parent.is_dir():
         raise InvalidInput(f"there is no folder {path.parent} to write {path.name} to")
     if suffix != NPZ:

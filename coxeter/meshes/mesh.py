@@ -42,7 +42,7 @@ class Mesh:
         point_data: Mapping[str, ArrayLike] | None = None,
         cell_data: Mapping[str, ArrayLike] | None = None,
     ) -> None:
-        self.points: NDArray[np.float64] = np.asarray(points, dtype=np.float64)
+        self.points: NDArray[np.float64] = _real(points)
         self.cells: NDArray[np.int64] = _integers(cells)
         if self.points.ndim != 2 or not _finite(self.points):
             raise InvalidInput(f"points of shape {self.points.shape}: expected (n, m) finite numbers")
@@ -75,6 +75,15 @@ class Mesh:
         """The vertices of the cells, shape (k, d + 1, m)."""
         corners: NDArray[np.float64] = self.points[self.cells]
         return corners
+
+
+def _real(points: ArrayLike) -> NDArray[np.float64]:
+    try:
+        if np.iscomplexobj(points):
+            raise TypeError("they are complex")
+        return np.asarray(points, dtype=np.float64)
+    except (TypeError, ValueError, OverflowError) as error:
+        raise InvalidInput(f"points must be rows of real numbers: {error}") from None
 
 
 def _finite(points: NDArray[np.float64]) -> bool:
