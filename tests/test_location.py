@@ -205,7 +205,7 @@ def test_bad_points_are_refused(points, told):
 @pytest.mark.parametrize("compiled", [True, False])
 @pytest.mark.parametrize("name", ["A~3", "B~3", "E~6", "E~8"])
 @pytest.mark.parametrize("scale", [1, 0.5])
-@pytest.mark.filterwarnings("ignore:overflow|ignore:invalid")
+@pytest.mark.filterwarnings("ignore:(overflow|invalid)")
 def test_what_overflows_on_the_way_is_refused(name, scale, compiled, monkeypatch):
     if not compiled:
         monkeypatch.setattr("coxeter.location.compiled.kernels", None)

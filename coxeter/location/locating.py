@@ -123,8 +123,8 @@ def read(points: ArrayLike, frame: Frame, columns: tuple[int, int]) -> NDArray[A
         )
     if array.shape[1] != d and not frame.plain:
         raise InvalidInput(
-            f"points of shape {array.shape} were given, in the coordinates of the roots: in a grid with a scale, "
-            f"rotation or offset expected (n, {d})"
+            f"points of shape {array.shape} were given, in the coordinates of the roots: in a grid with "
+            f"a scale, rotation or offset expected (n, {d})"
         )
     if array.dtype.kind == "O":
         return _exact(array)
