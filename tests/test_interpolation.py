@@ -109,9 +109,9 @@ def test_no_points_give_no_values():
         (lambda x: x[:-1], "a row for each of 3 vertices"),
         (lambda x: 5.0, "a row for each of 3 vertices"),
         ([1, 2, 3, 4], "a row for each of 3 vertices"),
-        (["a", "b", "c"], "must be numbers"),
+        (["a", "b", "c"], "must be real numbers"),
         (lambda x: np.zeros((3, 1, 1)), "a row for each"),
-        ([1j, 2, 3], "must be numbers"),
+        ([1j, 2, 3], "must be real numbers"),
     ],
 )
 def test_bad_values_are_refused(f, told):
@@ -127,9 +127,9 @@ def test_bad_points_and_sums_are_refused():
         grid.splat([[0.3, 0.1]], [1, 2])
     masked = np.ma.masked_array([1.0], [True])
     for values in ([1j], np.array([1j]), masked, [10**400]):
-        with pytest.raises(InvalidInput, match="real numbers, a row for each of 1 points"):
+        with pytest.raises(InvalidInput, match="real numbers without a mask, a row for each of 1 points"):
             grid.splat([[0.3, 0.1]], values)
-    with pytest.raises(InvalidInput, match="real numbers, a row for each of 3 vertices"):
+    with pytest.raises(InvalidInput, match="real numbers without a mask, a row for each of 3 vertices"):
         grid.interpolate([[0.3, 0.1]], lambda x: x[:, 0] * 1j)
     with pytest.raises(InvalidInput, match="do not tell simplices apart"):
         grid.splat([[1e13, 0.1]], [1])
