@@ -164,10 +164,16 @@ class Grid(Alcoves):
             self._locator.rounded(self._subgroup.into(points), None, found)
         elif frame.kind == "helmert":
             return self._locator.rounded(frame.aligned(points), frame.lengths, found)
+        elif frame.kind == "basis":
+            self._locator.rounded(frame.aligned(points) @ self._from_basis, None, found)
         else:
             self._locator.rounded(self._subgroup.into(frame.inward(points)), None, found)
         if frame.standard or points.shape[1] != self.dimension:
             self._close(found, points)
+
+    @cached_property
+    def _from_basis(self) -> Floats:
+        return np.asarray(self._subgroup.into(self.frame._basis))
 
     def _exactly(self, array: NDArray[Any]) -> Location:
         d, m = self.dimension, self._subgroup.ambient
@@ -183,10 +189,8 @@ class Grid(Alcoves):
 
     def _in_span(self, z: NDArray[Any]) -> None:
         """Refuse points outside the span of the roots."""
-        simple, weights = (
-            self.triangulation.roots.simple_roots,
-            self.triangulation.roots.fundamental_coweights,
-        )
+        roots = self.triangulation.roots
+        simple, weights = roots.simple_roots, roots.fundamental_coweights
         if z.shape[1] == self.dimension:
             return
         left, right = simple.numerators.astype(z.dtype), weights.numerators.astype(z.dtype)

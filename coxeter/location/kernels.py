@@ -310,7 +310,7 @@ def locate_in_cells(
     z, rest, nothing = np.empty((c, BLOCK)), np.empty((c, BLOCK)), np.empty(0)
     shift, place, signs = np.empty((c, BLOCK)), np.empty((c, BLOCK)), np.ones((c, BLOCK))
     size_of, bounds, sums = np.empty((c, BLOCK)), np.empty((c, BLOCK), np.int64), np.empty((2, BLOCK))
-    x, fine, nodes = np.zeros((BLOCK, WIDTH)), np.empty((BLOCK, WIDTH)), np.empty(BLOCK, np.int64)
+    x, fine, nodes = np.zeros((BLOCK, WIDTH)), np.zeros((BLOCK, WIDTH)), np.empty(BLOCK, np.int64)
     level, levels, images = np.empty(WIDTH), np.zeros((labels, BLOCK)), np.empty((WIDTH, BLOCK), np.int64)
     for begin in range(0, len(points), BLOCK):
         count = min(BLOCK, len(points) - begin)
@@ -327,14 +327,14 @@ def locate_in_cells(
                     at[i, q] += start
                     x[q, int(at[i, q])] = rest[i, q]
         for q in range(BLOCK):
-            for i in range(WIDTH):
+            for i in range(c):
                 fine[q, i] = np.rint(x[q, i] * finest)
         find_cells(fine, walls, children, depth, finest, nodes)
         for q in range(BLOCK):
             cell = nodes[q]
             for k in range(WIDTH):
                 level[k] = forms[cell, WIDTH, k]
-            for i in range(WIDTH):
+            for i in range(c):
                 for k in range(WIDTH):
                     level[k] += x[q, i] * forms[cell, i, k]
             for k in range(1, labels):
