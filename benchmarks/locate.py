@@ -173,22 +173,22 @@ def patches(cells: int, repeats: int) -> list[dict]:
 
 
 FILE = """
-import resource, sys, time
+import sys, time, tracemalloc
 import numpy as np
 from coxeter.location import Grid
 name, file, chunk, whole = sys.argv[1:]
 grid, points = Grid(name), np.load(file, mmap_mode="r")
 grid.locate(points[:100])
-before, begin = resource.getrusage(resource.RUSAGE_SELF).ru_maxrss, time.perf_counter()
+tracemalloc.start()
+begin = time.perf_counter()
 parts = [grid.locate(points)] if whole == "True" else grid.locate_chunks(points, int(chunk))
 located = sum(len(found) for found in parts)
-seconds, after = time.perf_counter() - begin, resource.getrusage(resource.RUSAGE_SELF).ru_maxrss
-print(located, seconds, 1024 * (after - before))
+print(located, time.perf_counter() - begin, tracemalloc.get_traced_memory()[1])
 """
 
 
 def from_file(n: int, chunk: int = 1 << 16) -> dict:
-    """A file of points, in chunks: the memory that it takes beyond what the program had before."""
+    """A file of points, in chunks: the most memory that is held at a time for what is computed."""
     name, d = "A~3", 3
     with tempfile.TemporaryDirectory() as folder:
         file = Path(folder) / "points.npy"

@@ -15,7 +15,7 @@ from numba import njit
 
 BLOCK = 64
 """So many points go side by side; in the last block those that are missing are 0."""
-SMALL = 40
+SMALL = 128
 """Up to so many coordinates, counting for each those before it is the fastest way to sort."""
 WIDTH = 8
 """No exceptional group needs more coordinates."""
