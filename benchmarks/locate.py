@@ -33,6 +33,9 @@ from scipy.spatial import Delaunay
 from coxeter.location import Grid, compiled
 from coxeter.names import triangulations_up_to
 
+CLEARED = 1 << 26
+"""So many floats are written after another program has run, as the next to ask for memory would have to wait
+until the system has cleared what was left."""
 HERE = Path(__file__).resolve().parent
 CORES = os.sched_getaffinity(0)
 Timed = Callable[[], float]
@@ -101,7 +104,9 @@ def against_gudhi(n: int, repeats: int) -> list[dict]:
             grid = Grid(f"A~{d}", scale=grid.frame.scale)
 
             def theirs(points: np.ndarray = points) -> float:
-                return float(gudhi.run(program, "time", points, folder).split()[0])
+                seconds = float(gudhi.run(program, "time", points, folder).split()[0])
+                np.ones(CLEARED)
+                return seconds
 
             ours, plain, peer = in_turn(
                 repeats, locating(grid, points), locating(grid, points, plain=True), theirs

@@ -256,6 +256,23 @@ def test_coordinates_of_the_roots_need_a_plain_grid():
         Grid("A~3", scale=0.5).locate([[1.0, -1.0, 0.0, 0.0]])
 
 
+@pytest.mark.parametrize("compiled", [True, False])
+@pytest.mark.parametrize("name", ["B~3", "B~6", "C~2", "C~5", "D~4", "D~7", "F~4", "E~8"])
+def test_pixels_are_decided_as_they_are_exactly(name, compiled, monkeypatch):
+    """Points of a few binary digits, most of them on walls: what is not rounded needs no second look."""
+    if not compiled:
+        monkeypatch.setattr("coxeter.location.compiled.kernels", None)
+    d = int(name[-1])
+    halves = np.random.default_rng(d).integers(-40, 40, size=(300, d))
+    for unit in (1, 2, 4, 2**20):
+        points = halves / unit
+        found = Grid(name).locate(points)
+        exact = Grid(name).locate(np.vectorize(Fraction, otypes=[object])(points))
+        assert (found.keys == exact.keys).all()
+        assert not found.open.any()
+        assert np.abs(found.barycentric - exact.barycentric.astype(float)).max() < 1e-12
+
+
 def test_a_rotation_typed_with_ten_digits_goes_and_comes_back():
     turn = np.round([[np.cos(1), -np.sin(1)], [np.sin(1), np.cos(1)]], 10)
     grid = Grid("C~2", rotation=turn)

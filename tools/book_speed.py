@@ -107,9 +107,9 @@ def large(found: Results) -> str:
     file, mega = found["file"], 1e6
     said = (
         f"<p>{file['name']}, {file['points']:,} points in a file of {file['file_bytes'] / mega:.0f} MB, "
-        f"in chunks of {file['chunk']:,}: memory grew by {file['chunks']['bytes'] / mega:.0f} MB in "
+        f"in chunks of {file['chunk']:,}: at most {file['chunks']['bytes'] / mega:.0f} MB were held, in "
         f"{file['chunks']['seconds']:.1f} s; {file['chunk'] * file['bytes_a_point'] / mega:.0f} MB are what "
-        f"a chunk needs, and pages of the file that was read count too. All at once it grew by "
+        f"a chunk needs, and the rest is for intermediate results. All at once: "
         f"{file['whole']['bytes'] / mega:.0f} MB in {file['whole']['seconds']:.1f} s.</p>"
     )
     if dask := found["dask"]:

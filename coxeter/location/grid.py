@@ -17,7 +17,7 @@ from .alcoves import Alcoves
 from .convex import Ball, Box
 from .interpolation import Function, Interpolation, Vertices, interpolation_at
 from .lazy import is_lazy, locate_lazily, vertices_lazily
-from .locating import NUMBERS, Found, as_floats, over_common_denominator, read
+from .locating import NUMBERS, Found, as_floats, is_short, over_common_denominator, read
 from .patches import patch_in, patch_of
 from .regions import Star, classes_of, search, star_of
 from .subgroups import Ints
@@ -184,8 +184,8 @@ class Grid(Alcoves):
             )
         numerators, denominator = over_common_denominator(array)
         self._in_span(numerators)
-        found = self._locator.exact(numerators, denominator)
-        return Location(self, found.keys, found.barycentric, found.open)
+        exact = self._locator.exact(numerators, denominator)
+        return Location(self, exact.keys, exact.barycentric, exact.open)
 
     def _in_span(self, z: NDArray[Any]) -> None:
         """Refuse points outside the span of the roots."""
@@ -205,6 +205,7 @@ class Grid(Alcoves):
 
     def _close(self, found: Found, z: Floats) -> None:
         """Decide what is open exactly: a float is a fraction."""
+        found.open[found.open] = ~is_short(z[found.open])
         rows = np.flatnonzero(found.open)
         if len(rows):
             as_fraction = np.frompyfunc(lambda x: Fraction(float(x)), 1, 1)

@@ -174,3 +174,9 @@ def check_size(sizes: Floats) -> None:
             f"a coordinate is {largest:g} in units of the roots: floats do not tell simplices apart there; "
             f"give exact numbers, or stay below {LARGEST:g}"
         )
+
+
+def is_short(z: Floats) -> NDArray[np.bool_]:
+    """Which rows have so few binary digits that nothing on their way is rounded: pixels, and half pixels."""
+    digits = z * 2.0**20
+    return np.asarray(((digits == np.rint(digits)) & (np.abs(z) < 2.0**20)).all(axis=1))
