@@ -81,3 +81,9 @@ def test_bad_input_is_one_sentence_and_status_2(capsys, arguments, words):
     assert err.startswith("coxeter: ")
     assert err.count("\n") == 1
     assert words in err
+
+
+def test_too_wide_a_table_is_refused(capsys):
+    status, out, err = run(capsys, "--max-dim", "1000000")
+    assert (status, out, err.count("\n")) == (2, "", 1)
+    assert "200 or fewer" in err

@@ -73,11 +73,11 @@ def test_mesh_says_what_a_format_does_not_keep(capsys, tmp_path):
 @pytest.mark.parametrize(
     ("arguments", "words"),
     [
-        (("A~3", "--box", "0,0,1,1"), "are 4 numbers: give 6"),
+        (("A~3", "--box", "0,0,1,1"), "has 4 numbers: give 6"),
         (("A~3", "--box", "-1,0,0,1,x,1"), "are no numbers"),
         (("A~3", "--box", "1,0,0,0,1,1"), "swap them"),
         (("A~3", "--box", "0,0,0,nan,1,1"), "finite"),
-        (("A~3", "--ball", "0,0,1"), "are 3 numbers: give 4"),
+        (("A~3", "--ball", "0,0,1"), "has 3 numbers: give 4"),
         (("A~3", "--ball", "0,0,0,-1"), "radius"),
         (("A~3", "--ball", "0,0,0,1", "--offset", "1,2"), "--offset '1,2'"),
         (("A~3", "--ball", "0,0,0,1", "--scale", "0"), "scale"),
@@ -194,7 +194,7 @@ def test_quality_tells_of_each_file(capsys, square, tmp_path):
     row = next(line for line in first.splitlines() if line.startswith("thickness "))
     assert row.split()[1] == f"{np.nanmin(values['thickness']):.3f}"
     assert row.split()[-1] == "3"
-    assert "simplices of dimension 4" in second
+    assert "1 simplex of dimension 4" in second
     assert "minimal_solid_angle is left out: " in second
     assert "none degenerate" in second
 
@@ -252,3 +252,18 @@ def test_a_quality_that_cannot_be_told_is_one_sentence(capsys, square, monkeypat
     assert (status, out) == (2, "")
     assert err.count("\n") == 1
     assert words in err
+
+
+def test_one_is_singular_and_bars_are_for_reading(capsys, tmp_path):
+    write_mesh(Mesh([[0, 0, 0], [1, 0, 0], [0, 1, 0], [0, 0, 1]], [[0, 1, 2, 3]]), tmp_path / "one.vtu")
+    assert "1 tetrahedron\n" in run(capsys, "quality", tmp_path / "one.vtu")[1]
+    status, _, err = run(capsys, "quality", tmp_path / "one.vtu", "--bins", "100000000000")
+    assert status == 2
+    assert "too many to read" in err
+
+
+def test_a_bad_npz_is_named(capsys, tmp_path):
+    np.savez(tmp_path / "bad.npz", points=np.full((3, 2), np.nan), cells=[[0, 1, 2]])
+    status, _, err = run(capsys, "quality", tmp_path / "bad.npz")
+    assert status == 2
+    assert "bad.npz is no mesh: point 0 is" in err

@@ -14,6 +14,9 @@ from .common import Answer, integer
 if TYPE_CHECKING:
     from .common import Commands
 
+LARGEST = 200
+"""The last dimension of a table."""
+
 
 def add_commands(commands: Commands) -> None:
     """Add the command to a parser."""
@@ -38,6 +41,8 @@ def _compare(options: argparse.Namespace) -> Answer:
     measure = find_measure(options.measure)
     if options.max_dim < 2:
         raise InvalidInput(f"{options.max_dim} is no dimension to compare up to: give an integer >= 2")
+    if options.max_dim > LARGEST:
+        raise InvalidInput(f"{options.max_dim} columns are too many for a table: give {LARGEST} or fewer")
     peers = [peer for peer in _peers(options.peers) if peer.low <= options.max_dim]
     table = measure_table(measure, options.max_dim, peers=peers, best=True)
     text = table.render(options.format, options.digits, options.exact)

@@ -23,6 +23,8 @@ if TYPE_CHECKING:
 
 BAR = 40
 """The longest bar of a histogram."""
+MOST_BINS = 1000
+"""More bars than this nobody reads."""
 
 
 def add_commands(commands: Commands) -> None:
@@ -76,8 +78,12 @@ def _numbers(option: str, text: str, expected: int, what: str) -> list[float]:
     except ValueError:
         raise InvalidInput(f"{option} {text!r} are no numbers: give {what}, with commas between") from None
     if len(numbers) != expected:
-        raise InvalidInput(f"{option} {text!r} are {len(numbers)} numbers: give {expected}, {what}")
+        raise InvalidInput(f"{option} {text!r} has {_count(len(numbers), 'number')}: give {expected}, {what}")
     return numbers
+
+
+def _count(n: int, one: str, more: str = "") -> str:
+    return f"{n} {one if n == 1 else more or one + 's'}"
 
 
 # -- mesh ------------------------------------------------------------------------------------------------
@@ -102,7 +108,7 @@ def _mesh(options: argparse.Namespace) -> Answer:
         write_mesh(mesh, options.output)
     rows = [f"{x.measure} {_decimal(x.min)}" for x in report.measures]
     lines = [
-        f"{options.output}: {len(mesh)} simplices, {len(mesh.points)} points",
+        f"{options.output}: {_count(len(mesh), 'simplex', 'simplices')}, {_count(len(mesh.points), 'point')}",
         f"least quality, with 1 for the regular simplex: {', '.join(rows)}",
     ]
     if report.degenerate:
@@ -148,6 +154,8 @@ def _quality(options: argparse.Namespace) -> Answer:
 
 
 def _judged(name: str, options: argparse.Namespace) -> tuple[QualityReport, list[str]]:
+    if options.bins > MOST_BINS:
+        raise InvalidInput(f"{options.bins} bars are too many to read: give {MOST_BINS} or fewer")
     with progress() as show, warnings.catch_warnings(record=True) as notes:
         warnings.simplefilter("always")
         if show:
@@ -159,10 +167,10 @@ def _judged(name: str, options: argparse.Namespace) -> tuple[QualityReport, list
 
 
 def _sheet(name: str, report: QualityReport, notes: list[str], normalised: bool) -> Iterator[str]:
-    kind = {2: "triangles", 3: "tetrahedra"}.get(
-        report.dimension, f"simplices of dimension {report.dimension}"
-    )
-    yield f"{name}: {report.cells} {kind}"
+    d = report.dimension
+    kinds = {2: ("triangle", "triangles"), 3: ("tetrahedron", "tetrahedra")}
+    kind = kinds.get(d, (f"simplex of dimension {d}", f"simplices of dimension {d}"))
+    yield f"{name}: {_count(report.cells, *kind)}"
     yield from notes
     if report.degenerate:
         first = ", ".join(map(str, report.degenerate_cells))

@@ -152,7 +152,10 @@ def _read_npz(path: Path) -> Mesh:
         kind, _, rest = name.partition("/")
         if kind in data:
             data[kind][rest] = array
-    return Mesh(points, cells, **data)
+    try:
+        return Mesh(points, cells, **data)
+    except InvalidInput as error:
+        raise InvalidInput(f"{path} is no mesh: {error}") from error
 
 
 def _mapped(path: Path) -> dict[str, NDArray[Any]]:

@@ -44,8 +44,11 @@ class Mesh:
     ) -> None:
         self.points: NDArray[np.float64] = _real(points)
         self.cells: NDArray[np.int64] = _integers(cells)
-        if self.points.ndim != 2 or not _finite(self.points):
-            raise InvalidInput(f"points of shape {self.points.shape}: expected (n, m) finite numbers")
+        if self.points.ndim != 2:
+            raise InvalidInput(f"points of shape {self.points.shape}: expected (n, m), a row for each point")
+        if not _finite(self.points):
+            row = int(np.flatnonzero(~np.isfinite(self.points).all(axis=1))[0])
+            raise InvalidInput(f"point {row} is {self.points[row].tolist()}: all coordinates must be finite")
         if self.cells.ndim != 2 or not 2 <= self.cells.shape[1] <= self.points.shape[1] + 1:
             raise InvalidInput(
                 f"cells of shape {self.cells.shape}: expected (k, d + 1), where d is at least 1 and at most "
