@@ -105,7 +105,7 @@ class Table:
         def cell(value: Cell, marked: bool) -> str:
             star = "*" if marked else ""
             if isinstance(value, (Surd, Angle)):
-                text = _html(_writer(3, False, latex=False)(value))
+                text = _writer(3, False, latex=False)(value)
                 return f'<td title="{html.escape(str(value))}">{text}{star}</td>'
             inner = _html(value or "")
             plain = f' data-text="{html.escape(value or "")}"' if MATHS in inner else ""
