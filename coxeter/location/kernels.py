@@ -15,7 +15,7 @@ from numba import njit
 
 BLOCK = 64
 """So many points go side by side; in the last block those that are missing are 0."""
-SMALL = 128
+SMALL = 64
 """Up to so many coordinates, counting for each those before it is the fastest way to sort."""
 WIDTH = 8
 """No exceptional group needs more coordinates."""
@@ -47,7 +47,8 @@ def sort_each(rest: Any, c: int, count: int, signed: bool, place: Any) -> None:
     for q in range(count):
         column, ties = rest[:c, q].copy(), np.arange(c)
         if signed:
-            ties = np.argsort(np.where(column < 0, 2 * c - ties, ties), kind="mergesort")
+            below = np.flatnonzero(column < 0)
+            ties = np.concatenate((np.flatnonzero(column >= 0), below[::-1]))
             column = np.abs(column)
         order = ties[np.argsort(-column[ties], kind="mergesort")]
         for j in range(c):
