@@ -5,6 +5,7 @@ Dihedral angles are in degrees, solid angles shares of the whole sphere, so that
 
 from __future__ import annotations
 
+from abc import ABC, abstractmethod
 from collections import Counter
 from fractions import Fraction
 from functools import cached_property
@@ -19,13 +20,13 @@ SUBMULTIPLES = {0: 2, 1: 3, 2: 4, 3: 6}
 """4·cos²(π/m) -> m."""
 
 
-class WithAngles:
+class WithAngles(ABC):
     """The angles of anything that knows `gradient_gram`."""
 
     @property
+    @abstractmethod
     def gradient_gram(self) -> RationalMatrix:
         """The inner products of the gradients of the barycentric coordinates."""
-        raise NotImplementedError
 
     def dihedral_cosine(self, i: int, j: int) -> Surd:
         """The cosine of the dihedral angle between the facets opposite to vertices i and j.
@@ -91,7 +92,7 @@ class WithAngles:
         1/48
         """
         if self._labels is not None:
-            return Angle({None: Fraction(1, max(map(self._stabiliser, self._special())))})
+            return Angle({None: Fraction(1, max(map(self.stabiliser_order, self._special())))})
         return min(self.solid_angle(k) for k in range(self.gradient_gram.shape[0]))
 
     def solid_angle(self, k: int) -> Angle:
@@ -122,7 +123,7 @@ class WithAngles:
         if k not in range(d + 1):
             raise InvalidInput(f"{k} is no vertex: give one of 0 to {d}")
         if self._labels is not None:
-            return Angle({None: Fraction(1, self._stabiliser(k))})
+            return Angle({None: Fraction(1, self.stabiliser_order(k))})
         if self._signed_squares == {Fraction(1, d * d)}:
             return regular_share(d)
         if d > 3:
@@ -156,11 +157,25 @@ class WithAngles:
         joined = Counter(i for pair in self._labels or {} for i in pair)
         return [i for i, n in joined.items() if n == 1] or [0]
 
-    def _stabiliser(self, k: int) -> int:
-        """The order of the group that the reflections in all facets but facet k generate."""
+    def stabiliser_order(self, k: int) -> int:
+        """The order of the group that the reflections in all facets but facet k generate.
+
+        Raises
+        ------
+        Unavailable
+            If some dihedral angle is no submultiple of π, so that there need be no such group.
+
+        Examples
+        --------
+        >>> from coxeter import triangulation
+        >>> [triangulation("C~3").simplex.stabiliser_order(k) for k in range(4)]
+        [48, 16, 16, 48]
+        """
+        if self._labels is None:
+            raise Unavailable("some dihedral angle is no submultiple of π: the reflections may make no group")
         d = self.gradient_gram.shape[0] - 1
         diagram: dict[int, dict[int, int]] = {i: {} for i in range(d + 1) if i != k}
-        for (i, j), m in (self._labels or {}).items():
+        for (i, j), m in self._labels.items():
             if k not in (i, j):
                 diagram[i][j], diagram[j][i] = -1, -{3: 1, 4: 2, 6: 3}[m]
         return reflection_group_order(diagram)

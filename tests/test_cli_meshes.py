@@ -16,8 +16,6 @@ from coxeter.location import Grid
 from coxeter.meshes import Mesh, mesh_qualities, quality_report, read_mesh, write_mesh
 from coxeter.quality import MEASURES, MESH_MEASURES
 
-pytest.importorskip("meshio")
-
 
 def run(capsys, *arguments):
     status = main([str(x) for x in arguments])

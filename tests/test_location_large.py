@@ -42,7 +42,8 @@ def test_a_grid_is_sent_as_what_it_was_made_from(grid):
 
 @pytest.mark.parametrize("grid", GRIDS, ids=repr)
 def test_dask_arrays_are_located_as_they_are(grid):
-    da = pytest.importorskip("dask.array", reason="Dask is not there")
+    import dask.array as da
+
     points = points_for(grid)
     found, here = grid.locate(da.from_array(points, chunks=(300, 2))), grid.locate(points)
     for name in ("keys", "barycentric", "open"):
@@ -55,8 +56,8 @@ def test_dask_arrays_are_located_as_they_are(grid):
 
 
 def test_two_workers_locate():
-    distributed = pytest.importorskip("distributed", reason="Dask's workers are not there")
     import dask.array as da
+    import distributed
 
     grid = GRIDS[0]
     points = points_for(grid)
@@ -70,7 +71,8 @@ def test_two_workers_locate():
 
 
 def test_a_dask_array_of_the_wrong_shape_is_refused():
-    da = pytest.importorskip("dask.array", reason="Dask is not there")
+    import dask.array as da
+
     with pytest.raises(InvalidInput, match="Dask array"):
         Grid("A~3").locate(da.zeros((5, 2)))
     with pytest.raises(InvalidInput, match="finite"):

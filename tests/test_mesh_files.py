@@ -3,6 +3,7 @@
 import sys
 import warnings
 
+import meshio
 import numpy as np
 import pytest
 from scipy.spatial import Delaunay
@@ -23,8 +24,6 @@ from coxeter.meshes import (
 )
 from coxeter.meshes.files import FORMATS, NPZ
 from coxeter.meshes.interop import KINDS
-
-meshio = pytest.importorskip("meshio")
 
 
 def some_mesh(d=3, m=3, n=60):
@@ -106,7 +105,8 @@ def test_data_that_a_format_does_not_keep_are_named(tmp_path):
 
 @pytest.mark.parametrize("suffix", [".vtu", ".vtk", ".ply", ".stl", ".obj"])
 def test_vtk_reads_it(tmp_path, suffix):
-    pyvista = pytest.importorskip("pyvista")
+    import pyvista
+
     mesh, path = some_mesh(2, 3), tmp_path / f"mesh{suffix}"
     written(mesh, path)
     found = pyvista.read(path)
@@ -132,7 +132,8 @@ def test_data_of_any_type_are_kept_or_named(tmp_path, suffix, values):
 
 
 def test_gudhi_reads_off(tmp_path):
-    gudhi = pytest.importorskip("gudhi")
+    import gudhi
+
     mesh = some_mesh(2, 3)
     written(mesh, tmp_path / "mesh.off")
     points = gudhi.read_points_from_off_file(off_file=str(tmp_path / "mesh.off"))
@@ -140,7 +141,8 @@ def test_gudhi_reads_off(tmp_path):
 
 
 def test_h5py_reads_med(tmp_path):
-    h5py = pytest.importorskip("h5py")
+    import h5py
+
     mesh = some_mesh()
     written(mesh, tmp_path / "mesh.med")
     with h5py.File(tmp_path / "mesh.med") as file:
@@ -300,12 +302,12 @@ def test_meshio_and_pyvista_there_and_back(d, m):
     mesh = some_mesh(d, m)
     same(from_meshio(to_meshio(mesh)), mesh)
     assert list(to_meshio(mesh).cells_dict) == [KINDS[d]]
-    pytest.importorskip("pyvista")
     same(from_pyvista(to_pyvista(mesh)), mesh)
 
 
 def test_a_surface_of_pyvista_and_a_mixed_grid():
-    pyvista = pytest.importorskip("pyvista")
+    import pyvista
+
     assert from_pyvista(pyvista.Sphere()).dimension == 2
     with pytest.raises(InvalidInput, match="quad"):
         from_pyvista(pyvista.Plane())
@@ -319,7 +321,6 @@ def test_a_surface_of_pyvista_and_a_mixed_grid():
 
 @pytest.mark.parametrize("d", [2, 3, 5])
 def test_a_simplex_tree_has_all_faces_and_leads_back(d):
-    pytest.importorskip("gudhi")
     mesh = some_mesh(d, d, 30)
     tree = to_gudhi(mesh)
     assert tree.dimension() == d
@@ -330,7 +331,6 @@ def test_a_simplex_tree_has_all_faces_and_leads_back(d):
 
 
 def test_a_face_enters_with_the_last_of_its_vertices():
-    pytest.importorskip("gudhi")
     mesh = some_mesh(3, 3, 20)
     values = np.random.default_rng(0).normal(size=20)
     tree = to_gudhi(mesh, values)
@@ -345,7 +345,8 @@ def test_what_other_libraries_do_not_have_is_refused():
     for to in (to_meshio, to_pyvista):
         with pytest.raises(InvalidInput, match="triangles and tetrahedra"):
             to(four)
-    gudhi = pytest.importorskip("gudhi")
+    import gudhi
+
     assert to_gudhi(four).num_simplices() == 31
     with pytest.raises(InvalidInput, match="no edges"):
         from_gudhi(gudhi.SimplexTree(), np.eye(2))

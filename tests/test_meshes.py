@@ -314,8 +314,9 @@ def test_memory_is_bounded_by_the_chunk():
 
 
 def test_dask_says_the_same_on_two_workers():
-    dask_array = pytest.importorskip("dask.array")
-    distributed = pytest.importorskip("distributed")
+    import dask.array as dask_array
+    import distributed
+
     mesh = random_mesh()
     lazy = dask_array.from_array(mesh.corners, chunks=(300, 2, 3))
     expected = quality_report(mesh)

@@ -18,7 +18,10 @@ from .angle_sums import LARGEST_PRECISION, ONE, Sum, ball, multiple, plus, preci
 from .rounding import decimal, rounded, scientific
 from .surd import Surd
 
-RATIONAL = {0: Fraction(1, 2), 1: Fraction(1, 3), 2: Fraction(1, 4), 3: Fraction(1, 6), 4: Fraction(0)}
+RATIONAL = {
+    Fraction(four): Fraction(*over_pi)
+    for four, over_pi in {0: (1, 2), 1: (1, 3), 2: (1, 4), 3: (1, 6), 4: (0, 1)}.items()
+}
 """4·cos² -> the angle over π, cos >= 0: with a rational cos² no other angle is rational (Niven)."""
 
 
@@ -208,7 +211,7 @@ def arccos(cosine: Surd) -> Angle:
         raise InvalidInput(f"{cosine} is no cosine of an angle here: give a root of a rational, at most 1")
     if cosine.sign() < 0:
         return 1 - arccos(-cosine)
-    if (found := RATIONAL.get(4 * square.as_fraction())) is not None:  # type: ignore[call-overload]
+    if (found := RATIONAL.get(4 * square.as_fraction())) is not None:
         return Angle({None: found})
     return Angle({cosine: Fraction(1)})
 

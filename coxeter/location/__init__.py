@@ -8,7 +8,8 @@
 Mesh(31 points in R^2, 42 cells of dimension 2)
 """
 
-from .grid import Grid, Location
+from .grid import Grid
 from .interpolation import Interpolation, Vertices
+from .location import Location
 
 __all__ = ["Grid", "Interpolation", "Location", "Vertices"]

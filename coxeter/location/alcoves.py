@@ -120,7 +120,7 @@ class Alcoves:
 
     def meeting_at(self, label: int) -> int:
         """How many simplices share a vertex with that label: the order of its stabiliser."""
-        return self.triangulation.simplex._stabiliser(label)
+        return self.triangulation.simplex.stabiliser_order(label)
 
     @cached_property
     def _locator(self) -> Locator:

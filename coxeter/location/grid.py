@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from collections.abc import Iterator
-from dataclasses import dataclass
 from fractions import Fraction
 from functools import cached_property
 from typing import Any
@@ -13,52 +12,18 @@ from numpy.typing import ArrayLike, NDArray
 
 from ..errors import InvalidInput
 from ..meshes import Mesh
+from ..meshes.judging import is_lazy
 from .alcoves import Alcoves
 from .convex import Ball, Box
 from .interpolation import Function, Interpolation, Vertices, interpolation_at
-from .lazy import is_lazy, locate_lazily, vertices_lazily
+from .lazy import locate_lazily
 from .locating import NUMBERS, Found, as_floats, is_short, over_common_denominator, read
+from .location import Location
 from .patches import patch_in, patch_of
 from .regions import Star, classes_of, search, star_of
 from .subgroups import Ints
 
 Floats = NDArray[np.float64]
-
-
-@dataclass(frozen=True, eq=False)
-class Location:
-    """Which simplices hold some points.
-
-    Attributes
-    ----------
-    grid
-        Where.
-    keys
-        For each point a row of integers, equal for two points exactly when the simplices are; ``tuple(row)``
-        can be hashed. The row is the simplex's centre of weights m_0, ..., m_d in the coordinates of the
-        roots, times `Grid.key_unit`.
-    barycentric
-        Barycentric coordinates, shape (n, d + 1): column k belongs to the vertex with label k. Floats that
-        are not negative and sum to one, or exact fractions if the points were exact.
-    open
-        For each point, whether rounding leaves the answer open: the point is so close to a wall that it may
-        lie in a neighbour.
-    """
-
-    grid: Grid
-    keys: Ints
-    barycentric: NDArray[Any]
-    open: NDArray[np.bool_]
-
-    def __len__(self) -> int:
-        return len(self.keys)
-
-    @cached_property
-    def vertices(self) -> Floats:
-        """The vertices of the simplices, shape (n, d + 1, d), by their labels."""
-        if is_lazy(self.keys):
-            return vertices_lazily(self.grid, self.keys)  # type: ignore[no-any-return]
-        return self.grid.vertices(self.keys)
 
 
 class Grid(Alcoves):
@@ -122,8 +87,9 @@ class Grid(Alcoves):
             np.empty((n, self.dimension + 1)),
             np.empty(n, bool),
         )
-        for i in range(0, n, rows):
-            self._locate_some(as_floats(array[i : i + rows], i), found[i : i + rows])
+        with np.errstate(over="ignore", invalid="ignore"):  # what overflows on the way is refused by its size
+            for i in range(0, n, rows):
+                self._locate_some(as_floats(array[i : i + rows], i), found[i : i + rows])
         return Location(self, found.keys, found.barycentric, found.open)
 
     def locate_chunks(self, points: ArrayLike, chunk: int = 1 << 16) -> Iterator[Location]:

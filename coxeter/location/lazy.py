@@ -11,9 +11,6 @@ import numpy as np
 from numpy.typing import NDArray
 
 from ..errors import InvalidInput
-from ..meshes.judging import is_lazy
-
-__all__ = ["is_lazy", "locate_lazily", "vertices_lazily"]
 
 if TYPE_CHECKING:
     from .grid import Grid

@@ -16,6 +16,7 @@ from numpy.typing import NDArray
 
 from ..errors import InvalidInput
 from ..quality import Measure
+from .interop import library
 from .judging import CHUNK, Cells, Floats, Judge, as_simplices, in_chunks, is_lazy, judges, whole_rows
 from .mesh import Mesh
 from .simplices import Simplices
@@ -237,13 +238,11 @@ def _in_chunks(
 
 
 def _on_workers(corners: Any, ready: list[Judge]) -> Iterable[Tally]:
-    from dask.base import compute
-    from dask.delayed import delayed
-
-    blocks = corners.to_delayed().ravel()
-    tasks = [delayed(_tally)(block, ready) for block in blocks]
-    parts: Iterable[Tally] = compute(*tasks)  # type: ignore[no-untyped-call]
-    return parts
+    dask = library("dask")
+    tallies: Iterable[Tally] = dask.compute(
+        *(dask.delayed(_tally)(block, ready) for block in corners.to_delayed().ravel())
+    )
+    return tallies
 
 
 def _tally(corners: Floats, ready: list[Judge]) -> Tally:

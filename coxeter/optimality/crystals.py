@@ -25,7 +25,7 @@ from itertools import combinations, permutations, product
 import numpy as np
 
 from ..errors import InvalidInput
-from ..exact import Surd, sqrt
+from ..exact import Surd, rational, sqrt
 from ..quality import Measure, find_measure
 from ..simplex import Simplex
 
@@ -144,7 +144,7 @@ class Crystal:
 
 
 def _centre(simplex: Simplex) -> list[Fraction]:
-    return [Fraction(str(x)) for x in simplex.circumcentre]
+    return [rational(x) for x in simplex.circumcentre]
 
 
 def _determinant(rows: list[list[int]]) -> int:

@@ -9,7 +9,11 @@ from __future__ import annotations
 from collections.abc import Iterator, Sequence
 from fractions import Fraction
 from itertools import accumulate, permutations, product
+from typing import TypeVar
 
+from ..exact import Exact
+
+N = TypeVar("N", Fraction, Exact)
 Point = tuple[Fraction, ...]
 Cell = list[Point]
 
@@ -19,12 +23,12 @@ def unit(d: int, i: int, length: Fraction | int = 1) -> Point:
     return tuple(Fraction(length) if k == i else Fraction(0) for k in range(d))
 
 
-def walk(start: Point, steps: Sequence[Point]) -> Cell:
+def walk(start: tuple[N, ...], steps: Sequence[tuple[N, ...]]) -> list[tuple[N, ...]]:
     """The points that one passes from a start, step by step."""
     return list(accumulate(steps, _plus, initial=start))
 
 
-def _plus(x: Point, y: Point) -> Point:
+def _plus(x: tuple[N, ...], y: tuple[N, ...]) -> tuple[N, ...]:
     return tuple(a + b for a, b in zip(x, y, strict=True))
 
 

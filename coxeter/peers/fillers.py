@@ -7,7 +7,7 @@ from fractions import Fraction
 from itertools import permutations
 
 from ..exact import Exact, sqrt
-from .cubes import Cell, Point, walk
+from .cubes import Cell, N, walk
 
 HALF = Fraction(1, 2)
 
@@ -17,7 +17,7 @@ BCC: Cell = [tuple(map(Fraction, x)) for x in ((0, 0, 0), (2, 0, 0), (1, 1, 1), 
 """The tetrahedron of A~3: opposite edges AB and CD of length 2, the others of length √3."""
 
 
-def middle(*points: Point) -> Point:
+def middle(*points: tuple[N, ...]) -> tuple[N, ...]:
     """The centroid of some points."""
     return tuple(sum(column) / len(points) for column in zip(*points, strict=True))
 
@@ -59,7 +59,7 @@ def hill_path(d: int, stretch: Fraction, order: tuple[int, ...]) -> list[tuple[E
     shift = (factor - 1) / d
     along: Exact = shift.as_fraction() if shift.is_rational else shift
     steps = [tuple(along + int(k == i) for k in range(d)) for i in order]
-    return walk((Fraction(0),) * d, steps)  # type: ignore[arg-type, return-value]
+    return walk((Fraction(0),) * d, steps)
 
 
 def goldberg(family: int, stretch: Fraction) -> Iterator[list[tuple[Exact, ...]]]:
@@ -74,5 +74,5 @@ def goldberg(family: int, stretch: Fraction) -> Iterator[list[tuple[Exact, ...]]
         yield path
     else:
         k = family - 2
-        m = middle(path[k], path[3 - k])  # type: ignore[arg-type]
+        m = middle(path[k], path[3 - k])
         yield from ([m if i == j else v for i, v in enumerate(path)] for j in (3 - k, k))

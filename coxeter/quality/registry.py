@@ -6,7 +6,7 @@ from collections.abc import Callable
 from dataclasses import dataclass
 from fractions import Fraction
 from functools import lru_cache
-from typing import Any, Generic, TypeVar
+from typing import Any, Generic, TypeVar, cast
 
 from ..errors import InvalidInput
 from ..exact import Angle, Surd, surd
@@ -45,8 +45,7 @@ class Measure(Generic[V]):
         """The raw measure of a simplex, or of the fundamental simplex of a triangulation."""
         value: Any = self.of(shape := _simplex_of(simplex))
         exact = isinstance(value, Angle) or not isinstance(shape, Simplex)
-        result: Any = value if exact else surd(value)
-        return result  # type: ignore[no-any-return]
+        return cast("V", value if exact else surd(value))
 
     def normalized(self, simplex: object) -> V:
         """The measure divided by that of the regular simplex; to the power 1/d if `per_dimension`.
