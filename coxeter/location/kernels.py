@@ -18,7 +18,9 @@ BLOCK = 64
 SMALL = 64
 """Up to so many coordinates, counting for each those before it is the fastest way to sort."""
 WIDTH = 8
-"""No exceptional group needs more coordinates."""
+"""No exceptional group needs more coordinates; for fewer there are zeros."""
+SPARE = WIDTH + 1
+"""The first row that no label needs."""
 HUGE = 2.0**42
 """Points with greater coordinates are refused by who reads their sizes; till then they are 0."""
 compiled = njit(cache=True, error_model="numpy")
@@ -60,7 +62,7 @@ def sort_each(rest: Any, c: int, count: int, signed: bool, place: Any) -> None:
 
 @compiled
 def fold_plain(
-    z: Any, c: int, count: int, rest: Any, sizes: Any, bounds: Any, sums: Any, shift: Any, place: Any
+    z: Any, c: int, count: int, rest: Any, bounds: Any, sums: Any, shift: Any, place: Any
 ) -> None:
     """Floors, the order of what is left, and turning so that the lattice is met.
 
@@ -241,7 +243,7 @@ def locate_classical(
         count = min(BLOCK, len(points) - begin)
         load(points, begin, count, lengths, z, sums, sizes)
         if kind == 0:
-            fold_plain(z, m, count, rest, size_of, bounds, sums, shift, place)
+            fold_plain(z, m, count, rest, bounds, sums, shift, place)
         else:
             fold_signed(z, m, count, kind, rest, size_of, bounds, sums, shift, place, signs)
         for i in range(m):
@@ -255,96 +257,79 @@ def locate_classical(
         store(levels, begin, count, shares)
 
 
-@njit(cache=True, error_model="numpy", fastmath={"reassoc", "contract"})
-def find_cells(x: Any, walls: Any, children: Any, depth: int, finest: float, nodes: Any) -> None:
-    """Down the tree with several points side by side, which hides how long each step takes.
-
-    The sums are exact, so that their order may be changed.
-    """
-    for q in range(BLOCK):
-        nodes[q] = len(walls) - 1
-    for _ in range(depth):
+@compiled
+def product(rows: Any, matrix: Any, images: Any) -> None:
+    """The product of a matrix and WIDTH rows; its last column holds constants."""
+    for i in range(len(matrix)):
+        a, b, c, d = matrix[i, 0], matrix[i, 1], matrix[i, 2], matrix[i, 3]
+        e, f, g, h, one = matrix[i, 4], matrix[i, 5], matrix[i, 6], matrix[i, 7], matrix[i, 8]
         for q in range(BLOCK):
-            node = nodes[q]
-            level = walls[node, WIDTH] * finest
-            for i in range(WIDTH):
-                level += x[q, i] * walls[node, i]
-            nodes[q] = children[node, int(level < 0)]
+            first = one + a * rows[0, q] + b * rows[1, q] + c * rows[2, q] + d * rows[3, q]
+            images[i, q] = first + e * rows[4, q] + f * rows[5, q] + g * rows[6, q] + h * rows[7, q]
 
 
 @compiled
-def sum_up(levels: Any, labels: int) -> None:
-    """Coordinate 0 is 1 less all others."""
+def reflect(levels: Any, step: Any, factors: Any, beyond: Any) -> None:
+    """In a wall those points that lie beyond it (1, or else 0): that changes the levels of its neighbours."""
+    k, a, b, c = step
     for q in range(BLOCK):
-        levels[0, q] = 1.0
-    for k in range(1, labels):
-        for q in range(BLOCK):
-            levels[0, q] -= levels[k, q]
-
-
-@compiled
-def multiply(rows: Any, c: int, matrix: Any, below: int, m: int, images: Any) -> None:
-    """The product of a matrix with few entries and c rows, over a number that divides it."""
-    for i in range(m):
-        for q in range(BLOCK):
-            images[i, q] = 0
-        for j in range(c):
-            factor = matrix[j, i]
-            if factor != 0:
-                for q in range(BLOCK):
-                    images[i, q] += factor * rows[j, q]
-        if below != 1:
-            for q in range(BLOCK):
-                images[i, q] = int(np.rint(images[i, q] / below))
+        level = levels[k, q] * beyond[q]
+        levels[k, q] -= 2.0 * level
+        levels[a, q] += factors[0] * level
+        levels[b, q] += factors[1] * level
+        levels[c, q] += factors[2] * level
 
 
 @compiled
 def locate_in_cells(
-    points: Any, parts: Any, walls: Any, children: Any, depth: int, forms: Any, centres: Any, outward: Any,
-    below: int, key_unit: int, finest: float, factor: float, keys: Any, shares: Any, near: Any, sizes: Any,
+    points: Any, parts: Any, forms: Any, weights: Any, steps: Any, factors: Any, corners: Any, outward: Any,
+    below: int, key_unit: int, centre: float, factor: float, keys: Any, shares: Any, near: Any, sizes: Any,
 ) -> None:  # fmt: skip
-    """E6, E7, E8, F4, G2: sorting by the parts of the subgroup, then down the tree to the cell.
+    """E6, E7, E8, F4, G2: sorting by the parts of the subgroup, then reflections.
 
-    Tables are filled up with zeros to a fixed width, so that the innermost loops are unrolled.
+    The walls have up to three neighbours each; where there are fewer, factors are 0 and rows are spare.
     """
-    c, labels = points.shape[1], shares.shape[1]
+    c, labels, m = points.shape[1], shares.shape[1], keys.shape[1]
     z, rest, nothing = np.empty((c, BLOCK)), np.empty((c, BLOCK)), np.empty(0)
     shift, place, signs = np.empty((c, BLOCK)), np.empty((c, BLOCK)), np.ones((c, BLOCK))
     size_of, bounds, sums = np.empty((c, BLOCK)), np.empty((c, BLOCK), np.int64), np.empty((2, BLOCK))
-    x, fine, nodes = np.zeros((BLOCK, WIDTH)), np.zeros((BLOCK, WIDTH)), np.empty(BLOCK, np.int64)
-    level, levels, images = np.empty(WIDTH), np.zeros((labels, BLOCK)), np.empty((WIDTH, BLOCK), np.int64)
+    x, levels, beyond = np.zeros((WIDTH, BLOCK)), np.zeros((SPARE + 3, BLOCK)), np.empty((len(steps), BLOCK))
+    images, back = np.zeros((WIDTH, BLOCK), np.int64), np.empty((m, BLOCK), np.int64)
     for begin in range(0, len(points), BLOCK):
         count = min(BLOCK, len(points) - begin)
         load(points, begin, count, nothing, z, sums, sizes)
         for part in range(len(parts)):
-            kind, start, w = parts[part, 0], parts[part, 1], parts[part, 2]
+            kind, start, w = parts[part]
             y, to, at, sign = z[start:], shift[start:], place[start:], signs[start:]
             if kind == 0:
-                fold_plain(y, w, count, rest, size_of, bounds, sums, to, at)
+                fold_plain(y, w, count, rest, bounds, sums, to, at)
             else:
                 fold_signed(y, w, count, kind, rest, size_of, bounds, sums, to, at, sign)
             for i in range(w):
                 for q in range(BLOCK):
                     at[i, q] += start
-                    x[q, int(at[i, q])] = rest[i, q]
-        for q in range(BLOCK):
-            for i in range(c):
-                fine[q, i] = np.rint(x[q, i] * finest)
-        find_cells(fine, walls, children, depth, finest, nodes)
-        for q in range(BLOCK):
-            cell = nodes[q]
-            for k in range(WIDTH):
-                level[k] = forms[cell, WIDTH, k]
-            for i in range(c):
-                for k in range(WIDTH):
-                    level[k] += x[q, i] * forms[cell, i, k]
-            for k in range(1, labels):
-                levels[k, q] = level[k - 1]
-            for j in range(c):
-                image = signs[j, q] * centres[cell, int(place[j, q])]
-                bounds[j, q] = int(shift[j, q]) * key_unit + int(image)
-        sum_up(levels, labels)
+                    x[int(at[i, q]), q] = rest[i, q]
+        product(x, forms, levels)
+        for s in range(len(steps)):
+            for q in range(BLOCK):
+                beyond[s, q] = 1.0 if levels[steps[s, 0], q] < 0.0 else 0.0
+            reflect(levels, steps[s], factors[s], beyond[s])
+        for k in range(labels):
+            for q in range(BLOCK):
+                levels[k, q] *= weights[k]
         settle(levels, labels, begin, count, factor, sizes, sums, near)
         store(levels, begin, count, shares)
-        multiply(bounds, c, outward, below, keys.shape[1], images)
-        store(images, begin, count, keys)
+        levels[:labels] = centre
+        for s in range(len(steps) - 1, -1, -1):
+            reflect(levels, steps[s], factors[s], beyond[s])
+        product(levels[1:], corners, rest)
+        for i in range(c):
+            for q in range(BLOCK):
+                image = signs[i, q] * rest[int(place[i, q]), q]
+                images[i, q] = int(shift[i, q]) * key_unit + int(np.rint(image))
+        product(images, outward, back)
+        if below != 1:
+            for i in range(m):
+                for q in range(BLOCK):
+                    back[i, q] = int(np.rint(back[i, q] * (1.0 / below)))
+        store(back, begin, count, keys)
