@@ -10,7 +10,7 @@ import numpy as np
 if TYPE_CHECKING:
     from .cells import Cells
     from .locating import Found, Locator
-    from .subgroups import Ints
+    from .subgroups import Floats, Ints
 
 kernels: Any
 try:
@@ -59,13 +59,11 @@ def _tables(locator: Locator) -> tuple[Any, ...]:
     assert cells is not None
     first, *others = cells.corners * cells.marks[:, None]
     matrix, below = subgroup.outward
-    steps = [_neighbours(cells, k) for k in cells.mirrors]
     return (
         np.array([("ABCD".index(p.kind), p.start, p.columns.stop - p.start) for p in subgroup.parts]),
         _widened(cells.forms[:, :-1], cells.forms[:, -1]).astype(np.float64),
         cells.marks / cells.scale,
-        np.array([(k, *labels) for k, (labels, _) in zip(cells.mirrors, steps, strict=True)]),
-        np.array([factors for _, factors in steps], dtype=np.float64),
+        *_steps(cells),
         _widened(np.transpose(others - first * cells.marks[1:, None]), first * unit) / cells.unit,
         _widened(matrix.T, np.zeros(matrix.shape[1], dtype=np.int64)),
         below,
@@ -79,9 +77,12 @@ def _widened(matrix: Ints, constants: Ints) -> Ints:
     return np.column_stack([np.pad(matrix, [(0, 0), (0, kernels.WIDTH - matrix.shape[1])]), constants])
 
 
-def _neighbours(cells: Cells, k: int) -> tuple[list[int], list[int]]:
-    """The up to three walls whose levels a reflection in wall k changes, and what by; then spare rows."""
-    row = cells.cartan[k]
-    found = [j for j in np.flatnonzero(row) if j != k]
-    missing = range(3 - len(found))
-    return [*found, *(kernels.SPARE + i for i in missing)], [*(-row[found]), *(0 for _ in missing)]
+def _steps(cells: Cells) -> tuple[Ints, Floats]:
+    """Wall after wall to reflect in, with its up to three neighbours, and what their levels change by."""
+    steps = np.zeros((len(cells.mirrors), 4), dtype=np.uint64)
+    factors = np.zeros((len(cells.mirrors), 3))
+    for s, k in enumerate(cells.mirrors):
+        steps[s, 0] = k
+        for n, j in enumerate(np.flatnonzero(cells.cartan[k] < 0)):
+            steps[s, n + 1], factors[s, n] = j, -cells.cartan[k, j]
+    return steps, factors

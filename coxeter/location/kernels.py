@@ -19,8 +19,6 @@ SMALL = 64
 """Up to so many coordinates, counting for each those before it is the fastest way to sort."""
 WIDTH = 8
 """No exceptional group needs more coordinates; for fewer there are zeros."""
-SPARE = WIDTH + 1
-"""The first row that no label needs."""
 HUGE = 2.0**42
 """Points with greater coordinates are refused by who reads their sizes; till then they are 0."""
 compiled = njit(cache=True, error_model="numpy")
@@ -269,15 +267,25 @@ def product(rows: Any, matrix: Any, images: Any) -> None:
 
 
 @compiled
-def reflect(levels: Any, step: Any, factors: Any, beyond: Any) -> None:
-    """In a wall those points that lie beyond it (1, or else 0): that changes the levels of its neighbours."""
-    k, a, b, c = step
-    for q in range(BLOCK):
-        level = levels[k, q] * beyond[q]
-        levels[k, q] -= 2.0 * level
-        levels[a, q] += factors[0] * level
-        levels[b, q] += factors[1] * level
-        levels[c, q] += factors[2] * level
+def reflect(levels: Any, steps: Any, factors: Any, beyond: Any, level: Any, back: bool) -> None:
+    """In wall after wall those points that lie beyond it, or on the way back those that did (1, else 0).
+
+    That changes the levels of the wall and of up to three neighbours.
+    """
+    for i in range(len(steps)):
+        s = np.uint64(len(steps) - 1 - i if back else i)  # not negative: that need not be looked at in loops
+        k = steps[s, 0]
+        if not back:
+            for q in range(BLOCK):
+                beyond[s, q] = 1.0 if levels[k, q] < 0.0 else 0.0
+        for q in range(BLOCK):
+            level[q] = levels[k, q] * beyond[s, q]
+            levels[k, q] -= 2.0 * level[q]
+        for n in range(3):
+            neighbour, factor = steps[s, n + 1], factors[s, n]
+            if factor != 0.0:
+                for q in range(BLOCK):
+                    levels[neighbour, q] += factor * level[q]
 
 
 @compiled
@@ -285,15 +293,13 @@ def locate_in_cells(
     points: Any, parts: Any, forms: Any, weights: Any, steps: Any, factors: Any, corners: Any, outward: Any,
     below: int, key_unit: int, centre: float, factor: float, keys: Any, shares: Any, near: Any, sizes: Any,
 ) -> None:  # fmt: skip
-    """E6, E7, E8, F4, G2: sorting by the parts of the subgroup, then reflections.
-
-    The walls have up to three neighbours each; where there are fewer, factors are 0 and rows are spare.
-    """
+    """E6, E7, E8, F4, G2: sorting by the parts of the subgroup, then reflections."""
     c, labels, m = points.shape[1], shares.shape[1], keys.shape[1]
     z, rest, nothing = np.empty((c, BLOCK)), np.empty((c, BLOCK)), np.empty(0)
     shift, place, signs = np.empty((c, BLOCK)), np.empty((c, BLOCK)), np.ones((c, BLOCK))
     size_of, bounds, sums = np.empty((c, BLOCK)), np.empty((c, BLOCK), np.int64), np.empty((2, BLOCK))
-    x, levels, beyond = np.zeros((WIDTH, BLOCK)), np.zeros((SPARE + 3, BLOCK)), np.empty((len(steps), BLOCK))
+    x, levels = np.zeros((WIDTH, BLOCK)), np.zeros((WIDTH + 1, BLOCK))
+    beyond, level = np.empty((len(steps), BLOCK)), np.empty(BLOCK)
     images, back = np.zeros((WIDTH, BLOCK), np.int64), np.empty((m, BLOCK), np.int64)
     for begin in range(0, len(points), BLOCK):
         count = min(BLOCK, len(points) - begin)
@@ -310,18 +316,14 @@ def locate_in_cells(
                     at[i, q] += start
                     x[int(at[i, q]), q] = rest[i, q]
         product(x, forms, levels)
-        for s in range(len(steps)):
-            for q in range(BLOCK):
-                beyond[s, q] = 1.0 if levels[steps[s, 0], q] < 0.0 else 0.0
-            reflect(levels, steps[s], factors[s], beyond[s])
+        reflect(levels, steps, factors, beyond, level, False)
         for k in range(labels):
             for q in range(BLOCK):
                 levels[k, q] *= weights[k]
         settle(levels, labels, begin, count, factor, sizes, sums, near)
         store(levels, begin, count, shares)
         levels[:labels] = centre
-        for s in range(len(steps) - 1, -1, -1):
-            reflect(levels, steps[s], factors[s], beyond[s])
+        reflect(levels, steps, factors, beyond, level, True)
         product(levels[1:], corners, rest)
         for i in range(c):
             for q in range(BLOCK):
