@@ -33,12 +33,12 @@ def count_before(bits: Any, bounds: Any, c: int, place: Any) -> None:
     """How many of c coordinates come before each, as in `sorting`: one comparison for each pair."""
     for i in range(c):
         for q in range(BLOCK):
-            place[i, q] = 0.0
+            place[i, q] = 0
         for j in range(i):
             for q in range(BLOCK):
-                first = 1.0 if bounds[j, q] > bits[i, q] else 0.0
+                first = 1 if bounds[j, q] > bits[i, q] else 0
                 place[i, q] += first
-                place[j, q] += 1.0 - first
+                place[j, q] += 1 - first
 
 
 @compiled
@@ -84,12 +84,12 @@ def fold_plain(
         sort_each(rest, c, count, False, place)
     for q in range(BLOCK):
         sums[1, q] = np.ceil(sums[0, q] / c)
-        sums[0, q] = c * sums[1, q] - sums[0, q]
+        bounds[0, q] = int(c * sums[1, q] - sums[0, q])
     for i in range(c):
         for q in range(BLOCK):
-            wrapped = 1.0 if place[i, q] < sums[0, q] else 0.0
-            lift = wrapped - sums[1, q]
-            place[i, q] += c * wrapped - sums[0, q]
+            place[i, q] -= bounds[0, q]
+            lift = (1.0 if place[i, q] < 0 else 0.0) - sums[1, q]
+            place[i, q] += c if place[i, q] < 0 else 0
             rest[i, q] -= lift
             shift[i, q] += lift
 
@@ -124,7 +124,7 @@ def fold_signed(
     for i in range(c):
         for q in range(BLOCK):
             way = sums[0, q] if rest[i, q] >= 0.0 else -sums[0, q]
-            way = way if place[i, q] == 0.0 else 0.0
+            way = way if place[i, q] == 0 else 0.0
             shift[i, q] += way
             rest[i, q] -= way
             signs[i, q] = -1.0 if rest[i, q] < 0.0 else 1.0
@@ -133,7 +133,7 @@ def fold_signed(
     if kind == 3:
         for i in range(c):
             for q in range(BLOCK):
-                flip = sums[1, q] if place[i, q] == c - 1.0 else 1.0
+                flip = sums[1, q] if place[i, q] == c - 1 else 1.0
                 signs[i, q] *= flip
                 rest[i, q] *= flip
 
@@ -227,16 +227,23 @@ def levels_of(x: Any, m: int, kind: int, levels: Any) -> None:
 
 
 @compiled
+def workspace(c: int, width: int) -> tuple[Any, ...]:
+    """What c coordinates of a block are folded in; one by one, as slices of one array might overlap."""
+    z, rest, size_of = np.empty((c, BLOCK)), np.empty((c, BLOCK)), np.empty((c, BLOCK))
+    bounds, sums, shift = np.empty((c, BLOCK), np.int64), np.empty((2, BLOCK)), np.empty((c, BLOCK))
+    place, signs, x = np.empty((c, BLOCK), np.int64), np.ones((c, BLOCK)), np.zeros((width, BLOCK))
+    return z, rest, size_of, bounds, sums, shift, place, signs, x
+
+
+@compiled
 def locate_classical(
     points: Any, kind: int, lengths: Any, key_unit: int, centre: Any, factor: float, keys: Any, shares: Any,
     near: Any, sizes: Any,
 ) -> None:  # fmt: skip
     """A~d to D~d."""
     m, labels = len(centre), shares.shape[1]
-    z, rest, shift = np.empty((m, BLOCK)), np.empty((m, BLOCK)), np.empty((m, BLOCK))
-    place, x = np.empty((m, BLOCK)), np.empty((m, BLOCK))
-    signs, size_of, levels = np.ones((m, BLOCK)), np.empty((m, BLOCK)), np.empty((labels, BLOCK))
-    bounds, sums = np.empty((m, BLOCK), np.int64), np.empty((2, BLOCK))
+    z, rest, size_of, bounds, sums, shift, place, signs, x = workspace(m, m)
+    levels = np.empty((labels, BLOCK))
     for begin in range(0, len(points), BLOCK):
         count = min(BLOCK, len(points) - begin)
         load(points, begin, count, lengths, z, sums, sizes)
@@ -246,7 +253,7 @@ def locate_classical(
             fold_signed(z, m, count, kind, rest, size_of, bounds, sums, shift, place, signs)
         for i in range(m):
             for q in range(count):
-                j = int(place[i, q])
+                j = np.uint64(place[i, q])
                 x[j, q] = rest[i, q]
                 bounds[i, q] = int(shift[i, q]) * key_unit + int(signs[i, q]) * centre[j]
         store(bounds, begin, count, keys)
@@ -295,11 +302,9 @@ def locate_in_cells(
 ) -> None:  # fmt: skip
     """E6, E7, E8, F4, G2: sorting by the parts of the subgroup, then reflections."""
     c, labels, m = points.shape[1], shares.shape[1], keys.shape[1]
-    z, rest, nothing = np.empty((c, BLOCK)), np.empty((c, BLOCK)), np.empty(0)
-    shift, place, signs = np.empty((c, BLOCK)), np.empty((c, BLOCK)), np.ones((c, BLOCK))
-    size_of, bounds, sums = np.empty((c, BLOCK)), np.empty((c, BLOCK), np.int64), np.empty((2, BLOCK))
-    x, levels = np.zeros((WIDTH, BLOCK)), np.zeros((WIDTH + 1, BLOCK))
-    beyond, level = np.empty((len(steps), BLOCK)), np.empty(BLOCK)
+    z, rest, size_of, bounds, sums, shift, place, signs, x = workspace(c, WIDTH)
+    levels, level, nothing = np.zeros((WIDTH + 1, BLOCK)), np.empty(BLOCK), np.empty(0)
+    beyond = np.empty((len(steps), BLOCK))
     images, back = np.zeros((WIDTH, BLOCK), np.int64), np.empty((m, BLOCK), np.int64)
     for begin in range(0, len(points), BLOCK):
         count = min(BLOCK, len(points) - begin)
@@ -314,7 +319,7 @@ def locate_in_cells(
             for i in range(w):
                 for q in range(BLOCK):
                     at[i, q] += start
-                    x[int(at[i, q]), q] = rest[i, q]
+                    x[np.uint64(at[i, q]), q] = rest[i, q]
         product(x, forms, levels)
         reflect(levels, steps, factors, beyond, level, False)
         for k in range(labels):
@@ -327,7 +332,7 @@ def locate_in_cells(
         product(levels[1:], corners, rest)
         for i in range(c):
             for q in range(BLOCK):
-                image = signs[i, q] * rest[int(place[i, q]), q]
+                image = signs[i, q] * rest[np.uint64(place[i, q]), q]
                 images[i, q] = int(shift[i, q]) * key_unit + int(np.rint(image))
         product(images, outward, back)
         if below != 1:
