@@ -1,9 +1,9 @@
 """From the fundamental simplex of the subgroup to one of the whole group's: a fixed sequence of reflections.
 
-Walls cut it into few simplices, the cells, of which one is singled out. A point is reflected in a wall of that
-one if it lies beyond, wall after wall in an order that brings it home from anywhere: as a sorting network
-compares two numbers after the other. What changes are the levels of the walls, by Cartan integers, that is
-those of a wall and of its neighbours in the diagram.
+Walls cut it into few simplices, the cells, of which one is the goal. A point is reflected in a wall of the
+goal if it lies beyond, wall after wall, in an order that leads there from everywhere: as a sorting network
+compares pair after pair. All that changes are the levels of the wall and of its neighbours in the diagram,
+by Cartan integers.
 """
 
 from __future__ import annotations
@@ -13,7 +13,6 @@ from functools import lru_cache
 from typing import Any
 
 import numpy as np
-from numpy.typing import NDArray
 
 from ..affine import CoxeterTriangulation
 from .sorting import Points, sort_parts
@@ -29,14 +28,13 @@ ROUTES: dict[str, tuple[tuple[int, ...], tuple[int, ...]]] = {
     "F~4": ((), (4, 3)),
     "G~2": ((1,), (1,)),
 }
-"""The walls to cross from the simplex whose walls those of the subgroup are to the cell that is singled out, one
-in the middle for E; and those to reflect in. They were searched for; tests tell that all cells are led home, and
-that none of the reflections could be left out."""
+"""The walls to cross from the fundamental simplex to the goal, for E one in the middle; and those to reflect
+in. They come from a search; that they lead there from every cell, and none is idle, is tested."""
 
 
 @dataclass(frozen=True, eq=False)
 class Cells:
-    """The cell that is singled out, and the way there.
+    """The cell that is the goal, and the way there.
 
     Attributes
     ----------
@@ -62,15 +60,15 @@ class Cells:
     mirrors: tuple[int, ...]
 
     def fold(self, x: Points, unit: Any) -> tuple[Points, Ints]:
-        """Reflect points (width, n) of the subgroup's simplex into the cell.
+        """Reflect points (width, n) of the subgroup's simplex into the goal.
 
         Returns the levels (d + 1, n) times the unit and the scale, and for each point, bit by bit, in which
         of the walls it was reflected.
         """
-        levels: Points = np.empty((len(self.forms), x.shape[1]), dtype=x.dtype)
-        levels[:] = self.forms[:, -1:] * unit
-        for column, row in zip(self.forms[:, :-1].T, x, strict=True):  # not by BLAS: always in this order
-            levels += np.multiply.outer(column.astype(x.dtype), row)
+        forms = self.forms.astype(x.dtype)
+        levels: Points = np.repeat(forms[:, -1:] * unit, x.shape[1], axis=1)
+        for column, row in zip(forms[:, :-1].T, x, strict=True):  # not by BLAS: always in this order
+            levels += np.multiply.outer(column, row)
         codes = np.zeros(x.shape[1], dtype=np.int64)
         for step, k in enumerate(self.mirrors):
             codes += (levels[k] < 0).astype(np.int64) << step
@@ -83,9 +81,9 @@ class Cells:
         return levels * (marks / self.scale) if levels.dtype.kind == "f" else levels * marks // self.scale
 
     def images(self, codes: Ints, barycentric: Ints, unit: int) -> Ints:
-        """Points with given barycentric coordinates (j, d + 1), times the unit, carried back by all of some ways.
+        """Points with given barycentric coordinates (j, d + 1), times the unit, carried back from the goal.
 
-        All are integers times the unit again, (codes, j, width).
+        For each of some codes; all are integers times the unit again, (codes, j, width).
         """
         levels = np.repeat((barycentric // self.marks).T[:, None], len(codes), axis=1)
         for step, k in reversed(list(enumerate(self.mirrors))):
@@ -101,7 +99,7 @@ class Cells:
 
 @lru_cache
 def cells_of(subgroup: Subgroup) -> Cells:
-    """The cell, reached from the fundamental simplex by crossing walls."""
+    """The goal, reached from the fundamental simplex by crossing walls."""
     t = subgroup.triangulation
     marks, cartan = np.array(t.marks), extended_cartan_matrix(t)
     forms, scale = _forms(subgroup)
@@ -115,7 +113,7 @@ def cells_of(subgroup: Subgroup) -> Cells:
 
 
 def _forms(subgroup: Subgroup) -> tuple[Ints, int]:
-    """The levels of the fundamental simplex's walls in the coordinates y, as integers, and what they are times."""
+    """The walls of the fundamental simplex in the coordinates y: integers, and what they are times."""
     facets, (outward, below) = subgroup.triangulation.facets, subgroup.outward
     normals = np.array([facet.normal for facet in facets], dtype=object)
     forms = np.column_stack([normals @ outward.T, [-facet.offset * below for facet in facets]]) * 2
@@ -125,7 +123,7 @@ def _forms(subgroup: Subgroup) -> tuple[Ints, int]:
 
 
 def _corners(subgroup: Subgroup) -> tuple[Ints, int]:
-    """Its vertices in the coordinates y, as integers with a mean that is one too, and what they are times."""
+    """Its vertices in the coordinates y: integers, as their weighted mean is, and what they are times."""
     t, (inward, times) = subgroup.triangulation, subgroup.inward
     vertices, h = t.simplex.vertex_matrix, sum(t.marks)
     return vertices.numerators.astype(np.int64) @ inward * h, vertices.denominator * times * h

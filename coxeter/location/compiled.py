@@ -6,11 +6,12 @@ from functools import lru_cache
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
+from numpy.typing import NDArray
 
 if TYPE_CHECKING:
     from .cells import Cells
     from .locating import Found, Locator
-    from .subgroups import Floats, Ints
+    from .subgroups import Ints
 
 kernels: Any
 try:
@@ -77,7 +78,7 @@ def _widened(matrix: Ints, constants: Ints) -> Ints:
     return np.column_stack([np.pad(matrix, [(0, 0), (0, kernels.WIDTH - matrix.shape[1])]), constants])
 
 
-def _steps(cells: Cells) -> tuple[Ints, Floats]:
+def _steps(cells: Cells) -> tuple[NDArray[np.uint64], NDArray[np.float64]]:
     """Wall after wall to reflect in, with its up to three neighbours, and what their levels change by."""
     steps = np.zeros((len(cells.mirrors), 4), dtype=np.uint64)
     factors = np.zeros((len(cells.mirrors), 3))

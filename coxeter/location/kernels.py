@@ -59,9 +59,7 @@ def sort_each(rest: Any, c: int, count: int, signed: bool, place: Any) -> None:
 
 
 @compiled
-def fold_plain(
-    z: Any, c: int, count: int, rest: Any, bounds: Any, sums: Any, shift: Any, place: Any
-) -> None:
+def fold_plain(z: Any, c: int, count: int, rest: Any, bounds: Any, sums: Any, shift: Any, place: Any) -> None:
     """Floors, the order of what is left, and turning so that the lattice is met.
 
     Of c rows z it writes the vector of the lattice, what is left, and its place in the order.
@@ -329,7 +327,7 @@ def locate_in_cells(
         store(levels, begin, count, shares)
         levels[:labels] = centre
         reflect(levels, steps, factors, beyond, level, True)
-        product(levels[1:], corners, rest)
+        product(levels[1:], corners, rest)  # level 0 follows from the others
         for i in range(c):
             for q in range(BLOCK):
                 image = signs[i, q] * rest[np.uint64(place[i, q]), q]
