@@ -1,4 +1,4 @@
-"""Properties of what `locate` answers: all triangulations up to d = 12, wherever they lie; near walls and far."""
+"""Properties of what `locate` answers: all triangulations up to d = 12, wherever they lie."""
 
 from dataclasses import replace
 from fractions import Fraction
@@ -51,9 +51,10 @@ def check(grid, points, far=0.0):
     mean = np.einsum("nk,nkd->nd", found.barycentric, found.vertices)
     assert np.abs(mean - points).max() < near * grid.frame.scale
     roots = roots_of(grid.triangulation.name)
-    inner, centres = (z @ roots.numerators.T / roots.denominator for z in (grid.frame.inward(points), found.keys))
-    low = np.floor(centres / grid.key_unit)
-    assert (centres / grid.key_unit - low > 1e-3).all()
+    inner = grid.frame.inward(points) @ roots.numerators.T / roots.denominator
+    centres = found.keys @ roots.numerators.T / (roots.denominator * grid.key_unit)
+    low = np.floor(centres)
+    assert (centres - low > 1e-3).all()
     assert (inner > low - near).all()
     assert (inner < low + 1 + near).all()
     return found
@@ -112,11 +113,12 @@ def test_by_the_inequalities_of_the_roots_exactly(name):
 @pytest.mark.usefixtures("library")
 @pytest.mark.parametrize("name", [n for n in NAMES if Grid(n).frame.standard])
 def test_what_is_not_open_is_as_fractions_say(name):
-    """Where the coordinates are those of the roots, a float far away or next to a wall can be looked at exactly."""
+    """Where the coordinates are those of the roots, floats far away or next to a wall are decided exactly."""
     grid, rng = Grid(name), np.random.default_rng(7)
     found = grid.locate(rng.normal(size=(6, grid.dimension)) * 9)
-    middles = np.concatenate([np.delete(found.vertices, k, axis=1).mean(axis=1) for k in range(grid.dimension)])
-    for points in (middles, middles + 1e-15, middles + FAR, rng.normal(size=(20, grid.dimension)) * FAR):
+    facets = [np.delete(found.vertices, k, axis=1) for k in range(grid.dimension + 1)]
+    on = np.concatenate(facets).mean(axis=1)
+    for points in (on, on + 1e-15, on + FAR, rng.normal(size=(20, grid.dimension)) * FAR):
         floats = grid.locate(points)
         exact = grid.locate(np.vectorize(Fraction, otypes=[object])(points))
         assert (floats.keys == exact.keys).all()

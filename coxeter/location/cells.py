@@ -8,6 +8,7 @@ by Cartan integers.
 
 from __future__ import annotations
 
+from collections.abc import Iterable
 from dataclasses import dataclass
 from functools import lru_cache
 from typing import Any
@@ -72,7 +73,9 @@ class Cells:
         codes = np.zeros(x.shape[1], dtype=np.int64)
         for step, k in enumerate(self.mirrors):
             codes += (levels[k] < 0).astype(np.int64) << step
-            self._reflect(levels, k, np.minimum(levels[k], 0))
+            beyond = np.minimum(levels[k], 0)
+            for j in np.flatnonzero(self.cartan[k]):
+                levels[j] -= self.cartan[k, j] * beyond
         return levels, codes
 
     def barycentric(self, levels: Points) -> Points:
@@ -85,16 +88,24 @@ class Cells:
 
         For each of some codes; all are integers times the unit again, (codes, j, width).
         """
-        levels = np.repeat((barycentric // self.marks).T[:, None], len(codes), axis=1)
-        for step, k in reversed(list(enumerate(self.mirrors))):
-            self._reflect(levels, k, levels[k] * (codes >> step & 1)[:, None])
-        images: Ints = np.moveaxis(levels, 0, -1) * self.marks @ self.corners // self.unit
+        corners = np.array([_corners_at(self, code) for code in codes.tolist()], dtype=np.int64)
+        images: Ints = barycentric @ corners.reshape(-1, *self.corners.shape) // self.unit
         return images
 
-    def _reflect(self, levels: Points, k: int, beyond: Points) -> None:
-        """In wall k those that lie at some level beyond it, or 0."""
-        for j in np.flatnonzero(self.cartan[k]):
-            levels[j] -= self.cartan[k, j] * beyond
+
+@lru_cache(maxsize=1 << 10)
+def _corners_at(cells: Cells, code: int) -> Ints:
+    """The vertices of the cell from which a code leads to the goal: back from there, crossing its walls."""
+    path = [k for step, k in enumerate(cells.mirrors) if code >> step & 1]
+    return _across(cells.cartan, cells.marks, cells.corners, path)
+
+
+def _across(cartan: Ints, marks: Ints, corners: Ints, path: Iterable[int]) -> Ints:
+    """The vertices of the simplex that is reached by crossing wall after wall."""
+    corners = corners.copy()
+    for k in path:
+        corners[k] -= cartan[k] * marks @ corners // marks[k]
+    return corners
 
 
 @lru_cache
@@ -108,8 +119,7 @@ def cells_of(subgroup: Subgroup) -> Cells:
     path, mirrors = ROUTES[t.name]
     for k in path:
         forms = forms - np.multiply.outer(cartan[k], forms[k])
-        corners[k] -= cartan[k] * marks @ corners // marks[k]
-    return Cells(marks, cartan, forms, corners, scale, unit, mirrors)
+    return Cells(marks, cartan, forms, _across(cartan, marks, corners, path), scale, unit, mirrors)
 
 
 def _forms(subgroup: Subgroup) -> tuple[Ints, int]:

@@ -75,7 +75,8 @@ def _tables(locator: Locator) -> tuple[Any, ...]:
 
 def _widened(matrix: Ints, constants: Ints) -> Ints:
     """Filled up with columns of zeros, and one of constants last."""
-    return np.column_stack([np.pad(matrix, [(0, 0), (0, kernels.WIDTH - matrix.shape[1])]), constants])
+    missing = kernels.WIDTH - matrix.shape[1]
+    return np.ascontiguousarray(np.column_stack([np.pad(matrix, [(0, 0), (0, missing)]), constants]))
 
 
 def _steps(cells: Cells) -> tuple[NDArray[np.uint64], NDArray[np.float64]]:

@@ -2,8 +2,9 @@
 bits of a sum.
 
 Points go side by side, a block at a time, one coordinate after the other: so the innermost loops run over
-points, and become vector instructions. Numba is optional; without it NumPy does all the work. Kinds are
-numbers here: A, B, C, D are 0 to 3.
+points, and become vector instructions. An index that is computed is made unsigned: one that might be negative
+would count from the end, and be asked for it in every loop. Numba is optional; without it NumPy does all the
+work. Kinds are numbers here: A, B, C, D are 0 to 3.
 """
 
 from __future__ import annotations
@@ -278,7 +279,7 @@ def reflect(levels: Any, steps: Any, factors: Any, beyond: Any, level: Any, back
     That changes the levels of the wall and of up to three neighbours.
     """
     for i in range(len(steps)):
-        s = np.uint64(len(steps) - 1 - i if back else i)  # not negative: that need not be looked at in loops
+        s = np.uint64(len(steps) - 1 - i if back else i)
         k = steps[s, 0]
         if not back:
             for q in range(BLOCK):
