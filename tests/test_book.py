@@ -11,8 +11,10 @@ import book_code
 import book_extension
 import nbformat
 import pytest
+import run_notebooks
 from bs4 import BeautifulSoup
 from docutils import nodes
+from run_notebooks import find_notebook
 from sphinx.application import Sphinx
 from sphinx.util.docutils import docutils_namespace, patch_docutils
 
@@ -247,3 +249,22 @@ def test_pages_of_source_have_every_check(ledger):
     places = book_code.places(ledger)
     assert all(x.claim.code.rpartition(".")[2] in places[x.claim.code.rpartition(".")[0]] for x in ledger)
     assert {"longest_edge", "_longest"} <= places["coxeter.proofs.sizes"]
+
+
+def test_notebooks_are_named(capsys):
+    assert find_notebook("family-A") == find_notebook("notebooks/family-A.ipynb")
+    for words, told in ((["--help"], "all by default"), (["famly-A"], "did you mean 'family-A'?")):
+        with pytest.raises(SystemExit) as stop:
+            run_notebooks.main(words)
+        assert bool(stop.value.code) is (words != ["--help"])
+        assert told in "".join(capsys.readouterr())
+
+
+def test_only_the_named_notebooks_are_run(monkeypatch):
+    ran = []
+    monkeypatch.setattr(run_notebooks, "store", lambda path: ran.append(path.stem) or "stored")
+    assert run_notebooks.main(["family-B", "section-2.ipynb"]) == 0
+    assert sorted(ran) == ["family-B", "section-2"]
+    ran.clear()
+    assert run_notebooks.main([]) == 0
+    assert len(ran) == len(run_notebooks.all_notebooks()) > 10

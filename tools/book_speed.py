@@ -20,6 +20,7 @@ from coxeter.figures import Figure
 from coxeter.figures.canvas import BLUE, FAINT, FINE, GREEN, PURPLE, SMALL, VERMILLION, Canvas, Pen, Point
 from coxeter.figures.legends import legend, line_key
 from coxeter.pages import markup
+from coxeter.tables.pieces import to_html
 
 RESULTS = Path(__file__).resolve().parents[1] / "benchmarks" / "results.json"
 PENS = {"A": Pen(BLUE, 2.2), "B": Pen(VERMILLION, 2.2), "C": Pen(GREEN, 2.2), "D": Pen(PURPLE, 2.2)}
@@ -61,12 +62,14 @@ def against_gudhi(found: Results) -> str:
          ratio(row, "gudhi", "numpy"))
         for row in found["gudhi"]
     ]  # fmt: skip
-    return table(("d", "with Numba", "NumPy alone", "GUDHI", "Numba : GUDHI", "NumPy : GUDHI"), rows)
+    head = ("d", "Numba", "NumPy", "GUDHI", "Numba : GUDHI", "NumPy : GUDHI")
+    return table("Points a second, beside GUDHI", head, rows)
 
 
 def families(found: Results) -> str:
     rows = [(r["name"], rate(r, "ours"), rate(r, "A"), ratio(r, "ours", "A")) for r in found["families"]]
-    return table(("family", "points a second", "A~ at this d", "time, A~ is 1"), rows)
+    head = ("type", "points a second", "A~ at this d", "time, A~ is 1")
+    return table("Points a second, by type", head, rows)
 
 
 def exponents(found: Results) -> str:
@@ -75,9 +78,8 @@ def exponents(found: Results) -> str:
         ends = [row for row in found["growth"] if row["family"] == family and row["d"] in (100, 1000)]
         rows.append((f"{family}~", *(f"{exponent(ends, route):.2f}" for route in ("ours", "numpy"))))
     wanted = math.log10(10 * math.log(1000) / math.log(100))
-    return table(
-        ("family", "with Numba", "NumPy alone"), [*rows, ("d log d", f"{wanted:.2f}", f"{wanted:.2f}")]
-    )
+    rows.append(("d log d", f"{wanted:.2f}", f"{wanted:.2f}"))
+    return table("Exponents of the dimension", ("family", "Numba", "NumPy"), rows)
 
 
 def exponent(ends: list[Results], route: str) -> float:
@@ -91,31 +93,34 @@ def vertices(found: Results) -> str:
         (r["name"], rate(r, "located"), rate(r, "with_vertices"), ratio(r, "with_vertices", "located"))
         for r in found["vertices"]
     ]
-    return table(("family", "points a second", "with vertices", "time, without is 1"), rows)
+    head = ("type", "points a second", "with vertices", "time, without is 1")
+    return table("Points a second, with vertices and without", head, rows)
 
 
 def patches(found: Results) -> str:
     rows = [
-        (r["d"], r["points"], r["cells"], rate(r, "ours", "cells"), rate(r, "scipy", "scipy_cells"),
+        (r["d"], f"{r['points']:,}", f"{r['cells']:,}",
+         rate(r, "ours", "cells"), rate(r, "scipy", "scipy_cells"),
          f"{r['cells'] / r['ours']['median'] / (r['scipy_cells'] / r['scipy']['median']):.1f}")
         for r in found["patches"]
     ]  # fmt: skip
-    return table(("d", "points", "simplices", "simplices a second", "SciPy's", "ours : SciPy's"), rows)
+    head = ("d", "points", "simplices", "simplices a second", "SciPy", "ours : SciPy")
+    return table("Simplices a second, beside SciPy", head, rows)
 
 
 def large(found: Results) -> str:
     file, mega = found["file"], 1e6
     said = (
-        f"<p>{file['name']}, {file['points']:,} points in a file of {file['file_bytes'] / mega:.0f} MB, "
-        f"in chunks of {file['chunk']:,}: at most {file['chunks']['bytes'] / mega:.0f} MB were held, in "
-        f"{file['chunks']['seconds']:.1f} s; {file['chunk'] * file['bytes_a_point'] / mega:.0f} MB are what "
-        f"a chunk needs, and the rest is for intermediate results. All at once: "
-        f"{file['whole']['bytes'] / mega:.0f} MB in {file['whole']['seconds']:.1f} s.</p>"
+        f"<p>{to_html(file['name'])}, {file['points']:,} points in a file of "
+        f"{file['file_bytes'] / mega:.0f} MB: in chunks of {file['chunk']:,} it took {file['chunks']['seconds']:.1f} s and at most "
+        f"{file['chunks']['bytes'] / mega:.0f} MB at a time, of which the points and answers of a chunk are "
+        f"{file['chunk'] * file['bytes_a_point'] / mega:.0f} MB. All at once it took "
+        f"{file['whole']['seconds']:.1f} s and {file['whole']['bytes'] / mega:.0f} MB.</p>"
     )
     if dask := found["dask"]:
         said += (
-            f"<p>Dask, {dask['name']}, {dask['points']:,} points in blocks of {dask['block']:,}, "
-            f"on {dask['cores']} cores: one worker {dask['one']['median']:.2f} s, "
+            f"<p>With Dask, {to_html(dask['name'])}, {dask['points']:,} points in blocks of "
+            f"{dask['block']:,}, on {dask['cores']} cores: one worker {dask['one']['median']:.2f} s, "
             f"two workers {dask['two']['median']:.2f} s, "
             f"{ratio(dask, 'one', 'two')} times as fast.</p>"
         )
@@ -177,10 +182,9 @@ def ratio(row: Results, over: str, under: str) -> str:
     return f"{row[over]['median'] / row[under]['median']:.2f}"
 
 
-def table(head: Iterable[str], rows: Iterable[tuple[object, ...]]) -> str:
-    names = tuple(head)
-    body = "".join(markup.row(str(first), cells) for first, *cells in rows)
-    return markup.table("lg-table", names, f"<tbody>{body}</tbody>", names[0])
+def table(label: str, names: Iterable[str], rows: Iterable[tuple[object, ...]]) -> str:
+    body = "".join(markup.row(to_html(str(first)), cells) for first, *cells in rows)
+    return markup.table("lg-sheet cx-numbers", map(to_html, names), f"<tbody>{body}</tbody>", label)
 
 
 PARTS: dict[str, Callable[[Results], str]] = {

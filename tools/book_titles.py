@@ -86,9 +86,11 @@ def _is_math(text: nodes.Text) -> bool:
 
 
 def plain_heads(app: Sphinx, pagename: str, template: str, context: dict[str, Any], *_: Any) -> None:
-    """What the browser is told of a page beside its body."""
+    """What the browser is told of a page beside its body, and the links to the pages around it."""
     if title := context.get("title"):
         context["title"] = in_plain(title)
+    for page in filter(None, (context.get("prev"), context.get("next"))):
+        page["title"] = re.sub(r"_(\w)\b", r"<sub>\1</sub>", page["title"])
 
 
 def plain_search(app: Sphinx) -> list[tuple[str, dict[str, Any], str]]:

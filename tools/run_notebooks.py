@@ -3,9 +3,11 @@
 What is stored depends on nothing but the code: no times, no versions, no machine.
 """
 
+import argparse
+import difflib
 import sys
 import time
-from collections.abc import Callable
+from collections.abc import Callable, Sequence
 from concurrent.futures import ThreadPoolExecutor, as_completed
 from os import cpu_count
 from pathlib import Path
@@ -61,9 +63,28 @@ def cache_into(folder: Path) -> Callable[[Path], str]:
     return cache
 
 
-def run_all(work: Callable[[Path], str]) -> list[Path]:
-    """Do the work on every notebook, saying how each went, and return those that failed."""
-    paths = sorted((ROOT / "notebooks").glob("*.ipynb"))
+def all_notebooks() -> list[Path]:
+    return sorted((ROOT / "notebooks").glob("*.ipynb"))
+
+
+def find_notebook(name: str) -> Path:
+    """The notebook of a name.
+
+    >>> find_notebook("section-1").name, find_notebook("notebooks/section-1.ipynb").name
+    ('section-1.ipynb', 'section-1.ipynb')
+    """
+    known = {path.stem: path for path in all_notebooks()}
+    stem = Path(name).name.removesuffix(".ipynb")
+    if stem not in known:
+        near = difflib.get_close_matches(stem, known, n=1)
+        meant = f"did you mean {near[0]!r}? " if near else ""
+        raise argparse.ArgumentTypeError(f"no notebook {name!r}: {meant}there are {', '.join(known)}")
+    return known[stem]
+
+
+def run_all(work: Callable[[Path], str], paths: Sequence[Path] = ()) -> list[Path]:
+    """Do the work on some notebooks, or on all, saying how each went, and return those that failed."""
+    paths = paths or all_notebooks()
     failed = []
     begin = time.time()
     with ThreadPoolExecutor(cpu_count()) as pool:
@@ -80,5 +101,13 @@ def run_all(work: Callable[[Path], str]) -> list[Path]:
     return failed
 
 
+def main(words: Sequence[str] | None = None) -> int:
+    parser = argparse.ArgumentParser(description="Execute notebooks and store their outputs in the files.")
+    parser.add_argument(
+        "notebooks", nargs="*", type=find_notebook, metavar="NAME", help="as family-A; all by default"
+    )
+    return bool(run_all(store, parser.parse_args(words).notebooks))
+
+
 if __name__ == "__main__":
-    sys.exit(bool(run_all(store)))
+    sys.exit(main())

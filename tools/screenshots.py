@@ -18,6 +18,13 @@ SIZES, SCHEMES = {"wide": WIDE, "phone": PHONE}, ("light", "dark")
 MODES = [f"{size}-{scheme}" for size in SIZES for scheme in SCHEMES]
 TALLEST = 16000  # pixels; Chromium draws no taller picture
 SETTLED = 800  # milliseconds until what moves has come to rest
+SCROLL = """async () => {
+  for (let y = 0; y < document.documentElement.scrollHeight; y += innerHeight) {
+    scrollTo({ top: y, behavior: "instant" });
+    await new Promise((done) => setTimeout(done, 60));
+  }
+  scrollTo({ top: 0, behavior: "instant" });
+}"""  # what is drawn only when it comes into view is drawn
 
 
 async def take(browser: Any, base: str, name: str, size: str, target: Path) -> None:
@@ -28,6 +35,7 @@ async def take(browser: Any, base: str, name: str, size: str, target: Path) -> N
     page = await context.new_page()
     await page.goto(f"{base}{name}.html", wait_until="load")
     await page.evaluate("probe.interactive()")
+    await page.evaluate(SCROLL)
     for scheme in SCHEMES:
         await page.emulate_media(color_scheme=scheme)
         theme = f"document.documentElement.dataset.theme = {scheme!r}"

@@ -46,13 +46,12 @@ def lemma_13(printed: Constants) -> Finding:
 @claim("lem-13.reduction", "Appendix C, proof of Lemma 13", Weight.WORDING)
 @told
 def reduction(printed: Constants) -> Finding:
-    """It is enough to compare the squared distance of z from c with {second}, the squared distance of its
-    class's vertex."""
+    """It is enough to compare the squared distance of z from c with that of {second}, the vertex of z's class."""
     simplex = triangulation("A~2").simplex
     z, u = point(1, (-2, 1, 0)), simplex.vertex_matrix.row(1)
     between = sum((a + b) ** 2 for a, b in zip(z, u, strict=True))  # the core's u is minus the paper's
     radius = simplex.squared_circumradius
-    if printed["second"] == "d(u_k, c)^2" or between == radius:
+    if printed["second"] == "u_k from c" or between == radius:
         return holds(EVERY_D, "The vertices u_k have the same distance R from c")
     return corrected(
         EVERY_D,
@@ -60,7 +59,7 @@ def reduction(printed: Constants) -> Finding:
         witness=f"in A~2, z = {show(z)}: the squared distance from u_1 is {between}, that of u_1 from c is "
         f"{radius}",
         evidence="the sentence before says that u_k is at the distance R from c; only that cancels",
-        constants={"second": "d(u_k, c)^2"},
+        constants={"second": "u_k from c"},
     )
 
 
@@ -128,29 +127,30 @@ def _right_side(printed: Constants, k: int, n: tuple[int, ...], m: tuple[int, ..
 
 @claim("lem-13.parity", "Appendix C, proof of Lemma 13", Weight.PROOF)
 def parity(printed: Constants) -> Finding:
-    """The first part is even: the sum of a_i(a_i + sum of a_j) is, modulo 2, {middle}, which vanishes."""
+    r"""The first part is even: modulo 2, $\sum_i a_i(a_i + \sum_j a_j)$ is {middle}, which vanishes."""
     first_part = {a: sum(x * (x + sum(a)) for x in a) for d in (1, 2, 3) for a in product((0, 1), repeat=d)}
     if any(x % 2 for x in first_part.values()):
         return corrected(EVERY_D, "the first part is odd somewhere")
     if printed["middle"] not in MIDDLE:
         raise InvalidInput(f"{printed['middle']!r} is none of the expressions that are compared")
-    different = [a for a, x in first_part.items() if x != MIDDLE[printed["middle"]](a)]
-    if not different:
+    middle = MIDDLE[printed["middle"]]
+    a = next((a for a, x in first_part.items() if x != middle(a)), None)
+    if a is None:
         words = "s² and s have the same parity, for s the sum of the a_i; and so have a_i² and a_i"
         return holds(EVERY_D, words)
     return corrected(
         EVERY_D,
-        "as an identity of integers it is the sum of the a_i² plus the square of their sum; both have the "
-        "parity of the sum, so together they are even",
-        witness=f"for a = {different[0]} the sides are not equal as integers",
+        "as integers, it is the sum of the a_i² plus the square of the sum of the a_i; both have the parity of "
+        "the sum of the a_i, so together they are even",
+        witness=f"for a = ({', '.join(map(str, a))}) the left side is {first_part[a]}, the right {middle(a)}",
         evidence="modulo 2 both sides vanish, so the conclusion stands; the sum over j begins at 0, where "
         "there is no a_0",
-        constants={"middle": "sum of a_i^2 + (sum of a_i)^2"},
+        constants={"middle": "the sum of the a_i² plus the square of the sum of the a_i"},
     )
 
 
 MIDDLE: dict[str, Callable[[tuple[int, ...]], int]] = {
-    "2*sum over i of sum over j != i of a_i*a_j": lambda a: 2 * sum(x * y for x, y in permutations(a, 2)),
-    "sum of a_i^2 + (sum of a_i)^2": lambda a: sum(x * x for x in a) + sum(a) ** 2,
+    "twice the sum of a_i a_j over i ≠ j": lambda a: 2 * sum(x * y for x, y in permutations(a, 2)),
+    "the sum of the a_i² plus the square of the sum of the a_i": lambda a: sum(x * x for x in a) + sum(a) ** 2,
 }
 """What the middle may be."""

@@ -1,128 +1,142 @@
-"""The simplices within the fundamental simplex of the subgroup, and a search tree over their walls.
+"""From the fundamental simplex of the subgroup to one of the whole group's: a fixed sequence of reflections.
 
-No wall cuts a simplex, so it has each simplex on one side: a few sides decide which simplex holds a point.
-The levels of the walls of a simplex are integer linear forms; those of its neighbours follow by Cartan
-integers.
+Walls cut it into few simplices, the cells, of which one is the goal. A point is reflected in a wall of the
+goal if it lies beyond, wall after wall, in an order that leads there from everywhere: as a sorting network
+compares pair after pair. All that changes are the levels of the wall and of its neighbours in the diagram,
+by Cartan integers.
 """
 
 from __future__ import annotations
 
+from collections.abc import Iterable
 from dataclasses import dataclass
 from functools import lru_cache
 from typing import Any
 
 import numpy as np
-from numpy.typing import NDArray
 
 from ..affine import CoxeterTriangulation
-from .sorting import Sorting, sort_parts
+from .sorting import Points, sort_parts
 from .subgroups import Ints, Subgroup
 
-FINEST = 2.0**46
-"""A float is searched for at the nearest multiple of 1 / FINEST: then no sum of a level is rounded, and the
-answer does not depend on its order."""
+ROUTES: dict[str, tuple[tuple[int, ...], tuple[int, ...]]] = {
+    "E~8": (
+        (1, 3, 4, 2, 5, 4, 3, 6, 5, 4, 7, 6, 5, 8, 7),
+        (0, 2, 7, 5, 8, 6, 7, 4, 5, 6, 1, 3, 4, 5, 2, 4, 3, 1, 6),
+    ),
+    "E~7": ((1, 3, 4, 2, 5, 4, 6, 5, 7), (7, 0, 3, 5, 4, 2, 1, 3, 6, 5, 4, 3, 5, 1, 6)),
+    "E~6": ((2, 4, 3, 1, 5, 6), (0, 1, 6, 4, 2, 3, 5, 4, 2, 3, 5)),
+    "F~4": ((), (4, 3)),
+    "G~2": ((1,), (1,)),
+}
+"""The walls to cross from the fundamental simplex to the goal, for E one in the middle; and those to reflect
+in. They come from a search; that they lead there from every cell, and none is idle, is tested."""
 
 
 @dataclass(frozen=True, eq=False)
 class Cells:
-    """The cells, and how to find the one that holds a point.
+    """The cell that is the goal, and the way there.
 
     Attributes
     ----------
-    marks
-        The marks of the triangulation.
+    marks, cartan
+        The marks of the triangulation, and its extended Cartan matrix.
     forms
-        For each cell and each label k the level of wall k in the coordinates y, times `scale`: coefficients,
-        and a constant last. Shape (cells, d + 1, width + 1).
+        For each label k the level of wall k in the coordinates y, times `scale`: coefficients, and a constant
+        last. Shape (d + 1, width + 1).
     corners
-        The vertices of the cells by their labels, times `unit`; shape (cells, d + 1, width).
+        The vertices by their labels, times `unit`; shape (d + 1, width).
     scale, unit
         What turns levels and vertices into integers.
-    walls
-        A form for each node of the tree; the first nodes are the cells themselves, with forms that are zero.
-    children
-        Where to go from a node if the level is not negative, and if it is. From a cell to itself.
-    depth
-        So many steps lead from the last node, the root, to a cell.
+    mirrors
+        The walls to reflect in, one after the other.
     """
 
     marks: Ints
+    cartan: Ints
     forms: Ints
     corners: Ints
     scale: int
     unit: int
-    walls: Ints
-    children: Ints
-    depth: int
+    mirrors: tuple[int, ...]
 
-    def find(self, y: NDArray[Any], unit: Any) -> Ints:
-        """The cells that hold points (n, width); points on a wall count to its non-negative side."""
-        if y.dtype.kind == "f":
-            y, unit = np.rint(y * FINEST), FINEST
-        node = np.full(len(y), len(self.walls) - 1)
-        for _ in range(self.depth):
-            wall = self.walls[node].astype(y.dtype)
-            level = (y * wall[:, :-1]).sum(axis=1) + wall[:, -1] * unit
-            node = self.children[node, (level < 0).astype(np.int64)]
-        return node
+    def fold(self, x: Points, unit: Any) -> tuple[Points, Ints]:
+        """Reflect points (width, n) of the subgroup's simplex into the goal.
 
-    def barycentric(self, y: NDArray[Any], cells: Ints, unit: Any) -> NDArray[Any]:
-        """The barycentric coordinates of points (n, width) in their cells, times the unit."""
-        columns = []
-        for k, mark in enumerate(self.marks):
-            form = self.forms[cells, k].astype(y.dtype)
-            level = ((y * form[:, :-1]).sum(axis=1) + form[:, -1] * unit) * mark
-            columns.append(level / self.scale if y.dtype.kind == "f" else level // self.scale)
-        return np.stack(columns, axis=1)
+        Returns the levels (d + 1, n) times the unit and the scale, and for each point, bit by bit, in which
+        of the walls it was reflected.
+        """
+        forms = self.forms.astype(x.dtype)
+        levels: Points = np.repeat(forms[:, -1:] * unit, x.shape[1], axis=1)
+        for column, row in zip(forms[:, :-1].T, x, strict=True):  # not by BLAS: always in this order
+            levels += np.multiply.outer(column, row)
+        codes = np.zeros(x.shape[1], dtype=np.int64)
+        for step, k in enumerate(self.mirrors):
+            codes += (levels[k] < 0).astype(np.int64) << step
+            beyond = np.minimum(levels[k], 0)
+            for j in np.flatnonzero(self.cartan[k]):
+                levels[j] -= self.cartan[k, j] * beyond
+        return levels, codes
 
-    def images(self, barycentric: Ints, unit: int) -> Ints:
-        """Points with given barycentric coordinates (j, d + 1), times the unit, in each of the cells: all are
-        integers times the unit again, (cells, j, width)."""
-        images: Ints = barycentric @ self.corners // self.unit
+    def barycentric(self, levels: Points) -> Points:
+        """The barycentric coordinates of points with given levels, as `fold` returns them; times the unit."""
+        marks = self.marks[:, None]
+        return levels * (marks / self.scale) if levels.dtype.kind == "f" else levels * marks // self.scale
+
+    def images(self, codes: Ints, barycentric: Ints, unit: int) -> Ints:
+        """Points with given barycentric coordinates (j, d + 1), times the unit, carried back from the goal.
+
+        For each of some codes; all are integers times the unit again, (codes, j, width).
+        """
+        corners = np.array([_corners_at(self, code) for code in codes.tolist()], dtype=np.int64)
+        images: Ints = barycentric @ corners.reshape(-1, *self.corners.shape) // self.unit
         return images
+
+
+@lru_cache(maxsize=1 << 10)
+def _corners_at(cells: Cells, code: int) -> Ints:
+    """The vertices of the cell from which a code leads to the goal: back from there, crossing its walls."""
+    path = [k for step, k in enumerate(cells.mirrors) if code >> step & 1]
+    return _across(cells.cartan, cells.marks, cells.corners, path)
+
+
+def _across(cartan: Ints, marks: Ints, corners: Ints, path: Iterable[int]) -> Ints:
+    """The vertices of the simplex that is reached by crossing wall after wall."""
+    corners = corners.copy()
+    for k in path:
+        corners[k] -= cartan[k] * marks @ corners // marks[k]
+    return corners
 
 
 @lru_cache
 def cells_of(subgroup: Subgroup) -> Cells:
-    """All cells, found by crossing walls as long as that stays within the subgroup's fundamental simplex."""
-    marks = np.array(subgroup.triangulation.marks)
-    cartan, forms, corners, scale, unit = _first(subgroup)
-
-    def centres(corners: Ints) -> Ints:
-        return np.asarray(marks @ corners // marks.sum())
-
-    x, how = sort_parts(subgroup, centres(corners).T, unit)
-    forms, corners = _carry(how, forms, corners, unit)
-    found = {tuple(x[:, 0].tolist()): (forms[0], corners[0])}
-    while len(corners):
-        forms, corners = _cross(cartan, marks, forms, corners)
-        keys, first = np.unique(centres(corners), axis=0, return_index=True)
-        inside = (sort_parts(subgroup, keys.T, unit)[0] == keys.T).all(axis=0)
-        fresh = inside & np.array([tuple(key) not in found for key in keys.tolist()])
-        forms, corners = forms[first[fresh]], corners[first[fresh]]
-        found |= dict(zip(map(tuple, keys[fresh].tolist()), zip(forms, corners, strict=True), strict=True))
-    forms, corners = (np.array(x) for x in zip(*found.values(), strict=True))
-    return Cells(marks, forms, corners, scale, unit, *_tree(forms, np.array(list(found)), unit))
-
-
-def _first(subgroup: Subgroup) -> tuple[Ints, Ints, Ints, int, int]:
-    """The extended Cartan matrix; forms and corners of the fundamental simplex, and what they are times."""
+    """The goal, reached from the fundamental simplex by crossing walls."""
     t = subgroup.triangulation
-    normals = np.array([facet.normal for facet in t.facets], dtype=object)
-    outward, below = subgroup.outward
-    forms = np.column_stack([normals @ outward.T, [-facet.offset * below for facet in t.facets]]) * 2
+    marks, cartan = np.array(t.marks), extended_cartan_matrix(t)
+    forms, scale = _forms(subgroup)
+    corners, unit = _corners(subgroup)
+    forms, corners = _into_simplex(subgroup, forms, corners, unit)
+    path, mirrors = ROUTES[t.name]
+    for k in path:
+        forms = forms - np.multiply.outer(cartan[k], forms[k])
+    return Cells(marks, cartan, forms, _across(cartan, marks, corners, path), scale, unit, mirrors)
+
+
+def _forms(subgroup: Subgroup) -> tuple[Ints, int]:
+    """The walls of the fundamental simplex in the coordinates y: integers, and what they are times."""
+    facets, (outward, below) = subgroup.triangulation.facets, subgroup.outward
+    normals = np.array([facet.normal for facet in facets], dtype=object)
+    forms = np.column_stack([normals @ outward.T, [-facet.offset * below for facet in facets]]) * 2
     forms = forms.astype(np.int64)  # normals may have halves
     common = np.gcd.reduce(forms, axis=None)
-    inward, times = subgroup.inward
+    return forms // common, int(2 * below // common)
+
+
+def _corners(subgroup: Subgroup) -> tuple[Ints, int]:
+    """Its vertices in the coordinates y: integers, as their weighted mean is, and what they are times."""
+    t, (inward, times) = subgroup.triangulation, subgroup.inward
     vertices, h = t.simplex.vertex_matrix, sum(t.marks)
-    corners = vertices.numerators.astype(np.int64) @ inward * h
-    return (
-        extended_cartan_matrix(t),
-        forms[None] // common,
-        corners[None],
-        int(2 * below // common),
-        vertices.denominator * times * h,
-    )
+    return vertices.numerators.astype(np.int64) @ inward * h, vertices.denominator * times * h
 
 
 def extended_cartan_matrix(triangulation: CoxeterTriangulation) -> Ints:
@@ -133,46 +147,13 @@ def extended_cartan_matrix(triangulation: CoxeterTriangulation) -> Ints:
     return matrix
 
 
-def _carry(how: Sorting, forms: Ints, corners: Ints, unit: int) -> tuple[Ints, Ints]:
-    """Forms and corners of one simplex, carried as its centre was by sorting."""
+def _into_simplex(subgroup: Subgroup, forms: Ints, corners: Ints, unit: int) -> tuple[Ints, Ints]:
+    """Forms and corners, carried as sorting carries their centre into the subgroup's simplex."""
+    marks = np.array(subgroup.triangulation.marks)
+    _, how = sort_parts(subgroup, (marks @ corners // marks.sum())[:, None], unit)
     assert how.signs is not None
     places, shift, signs = (a[:, 0] for a in (how.places, how.shift, how.signs))
     back = np.argsort(places)
-    constants = forms[..., -1] + forms[..., :-1] @ shift
-    forms = np.concatenate([(forms[..., :-1] * signs)[..., back], constants[..., None]], axis=-1)
-    return forms, ((corners - shift * unit) * signs)[..., back]
-
-
-def _cross(cartan: Ints, marks: Ints, forms: Ints, corners: Ints) -> tuple[Ints, Ints]:
-    """All neighbours of simplices: forms and corners, reflected in each wall in turn."""
-    count = len(marks)
-    forms_ = np.repeat(forms[:, None], count, axis=1)
-    corners_ = np.repeat(corners[:, None], count, axis=1)
-    for k in range(count):
-        forms_[:, k] -= cartan[k][:, None] * forms[:, k][:, None]
-        corners_[:, k, k] -= (cartan[k] * marks) @ corners // marks[k]
-    return forms_.reshape(-1, *forms.shape[1:]), corners_.reshape(-1, *corners.shape[1:])
-
-
-def _tree(forms: Ints, centres: Ints, unit: int) -> tuple[Ints, Ints, int]:
-    """A search tree: at each node the wall that divides the cells that are left most evenly."""
-    count, size = len(forms), forms.shape[2]
-    walls = np.unique(forms.reshape(-1, size), axis=0)
-    walls = walls[[row[np.flatnonzero(row)[0]] > 0 for row in walls]]  # of each and its negative, one
-    beyond = centres @ walls[:, :-1].T + walls[:, -1] * unit < 0
-    rows: list[Ints] = [np.zeros(size, dtype=np.int64)] * count
-    children = [(k, k) for k in range(count)]
-
-    def grow(left: Ints) -> tuple[int, int]:
-        if len(left) == 1:
-            return int(left[0]), 0
-        side = beyond[left]
-        best = int(np.abs(2 * side.sum(axis=0) - len(left)).argmin())
-        kept, deep = grow(left[~side[:, best]])
-        other, deeper = grow(left[side[:, best]])
-        rows.append(walls[best])
-        children.append((kept, other))
-        return len(rows) - 1, 1 + max(deep, deeper)
-
-    _, depth = grow(np.arange(count))
-    return np.array(rows), np.array(children), depth
+    constants = forms[:, -1] + forms[:, :-1] @ shift
+    forms = np.column_stack([(forms[:, :-1] * signs)[:, back], constants])
+    return forms, ((corners - shift * unit) * signs)[:, back]

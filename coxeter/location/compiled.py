@@ -6,11 +6,12 @@ from functools import lru_cache
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
-
-from .cells import FINEST
+from numpy.typing import NDArray
 
 if TYPE_CHECKING:
+    from .cells import Cells
     from .locating import Found, Locator
+    from .subgroups import Ints
 
 kernels: Any
 try:
@@ -48,27 +49,42 @@ def locate_compiled(locator: Locator, points: Any, lengths: Any, factor: float, 
         given = NO_LENGTHS if lengths is None else lengths
         kernels.locate_classical(points, kind, given, locator.key_unit, locator.centre, *out)
     else:
-        kernels.locate_in_cells(points, *_tables(locator), locator.key_unit, FINEST, *out)
+        kernels.locate_in_cells(points, *_tables(locator), *out)
     return sizes
 
 
 @lru_cache(maxsize=8)
 def _tables(locator: Locator) -> tuple[Any, ...]:
     """What `locate_in_cells` needs to know."""
-    subgroup, cells = locator.subgroup, locator.cells
+    subgroup, cells, unit = locator.subgroup, locator.cells, locator.key_unit
     assert cells is not None
-    parts = [("ABCD".index(p.kind), p.start, p.columns.stop - p.start) for p in subgroup.parts]
-    forms = np.moveaxis(cells.forms * cells.marks[:, None], 1, 2)[:, :, 1:] / cells.scale
-    (outward, below), wide = subgroup.outward, kernels.WIDTH
-    missing = wide - subgroup.width
-    forms = np.pad(forms, [(0, 0), (0, 0), (0, wide - forms.shape[2])])
+    first, *others = cells.corners * cells.marks[:, None]
+    matrix, below = subgroup.outward
     return (
-        np.array(parts),
-        np.insert(cells.walls.astype(np.float64), [subgroup.width] * missing, 0, axis=1),
-        cells.children,
-        cells.depth,
-        np.insert(forms, [subgroup.width] * missing, 0, axis=1),
-        cells.images(locator.shares_of_centre[None], locator.key_unit)[:, 0],
-        np.pad(outward, [(0, wide - n) for n in outward.shape]),
+        np.array([("ABCD".index(p.kind), p.start, p.columns.stop - p.start) for p in subgroup.parts]),
+        _widened(cells.forms[:, :-1], cells.forms[:, -1]).astype(np.float64),
+        cells.marks / cells.scale,
+        *_steps(cells),
+        _widened(np.transpose(others - first * cells.marks[1:, None]), first * unit) / cells.unit,
+        _widened(matrix.T, np.zeros(matrix.shape[1], dtype=np.int64)),
         below,
+        unit,
+        unit / cells.marks.sum(),
     )
+
+
+def _widened(matrix: Ints, constants: Ints) -> Ints:
+    """Filled up with columns of zeros, and one of constants last."""
+    missing = kernels.WIDTH - matrix.shape[1]
+    return np.ascontiguousarray(np.column_stack([np.pad(matrix, [(0, 0), (0, missing)]), constants]))
+
+
+def _steps(cells: Cells) -> tuple[NDArray[np.uint64], NDArray[np.float64]]:
+    """Wall after wall to reflect in, with its up to three neighbours, and what their levels change by."""
+    steps = np.zeros((len(cells.mirrors), 4), dtype=np.uint64)
+    factors = np.zeros((len(cells.mirrors), 3))
+    for s, k in enumerate(cells.mirrors):
+        steps[s, 0] = k
+        for n, j in enumerate(np.flatnonzero(cells.cartan[k] < 0)):
+            steps[s, n + 1], factors[s, n] = j, -cells.cartan[k, j]
+    return steps, factors

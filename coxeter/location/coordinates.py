@@ -17,8 +17,8 @@ def barycentric(folded: Folded, unit: Any) -> NDArray[Any]:
     the ends of the diagram, differences of neighbouring coordinates.
     """
     x = folded.points
-    if folded.cells is not None and folded.chosen is not None:
-        return folded.cells.barycentric(x.T, folded.chosen, unit).T
+    if folded.cells is not None and folded.reflected is not None:
+        return folded.cells.barycentric(folded.reflected[0])
     letter, d = folded.subgroup.parts[0].kind, folded.subgroup.triangulation.dimension
     result = np.empty((d + 1, x.shape[1]), dtype=x.dtype)
     steps = x[:-1] - x[1:]

@@ -2,8 +2,9 @@
 bits of a sum.
 
 Points go side by side, a block at a time, one coordinate after the other: so the innermost loops run over
-points, and become vector instructions. Numba is optional; without it NumPy does all the work. Kinds are
-numbers here: A, B, C, D are 0 to 3.
+points, and become vector instructions. An index that is computed is made unsigned: one that might be negative
+would count from the end, and be asked for it in every loop. Numba is optional; without it NumPy does all the
+work. Kinds are numbers here: A, B, C, D are 0 to 3.
 """
 
 from __future__ import annotations
@@ -18,7 +19,7 @@ BLOCK = 64
 SMALL = 64
 """Up to so many coordinates, counting for each those before it is the fastest way to sort."""
 WIDTH = 8
-"""No exceptional group needs more coordinates."""
+"""No exceptional group needs more coordinates; for fewer there are zeros."""
 HUGE = 2.0**42
 """Points with greater coordinates are refused by who reads their sizes; till then they are 0."""
 compiled = njit(cache=True, error_model="numpy")
@@ -33,12 +34,12 @@ def count_before(bits: Any, bounds: Any, c: int, place: Any) -> None:
     """How many of c coordinates come before each, as in `sorting`: one comparison for each pair."""
     for i in range(c):
         for q in range(BLOCK):
-            place[i, q] = 0.0
+            place[i, q] = 0
         for j in range(i):
             for q in range(BLOCK):
-                first = 1.0 if bounds[j, q] > bits[i, q] else 0.0
+                first = 1 if bounds[j, q] > bits[i, q] else 0
                 place[i, q] += first
-                place[j, q] += 1.0 - first
+                place[j, q] += 1 - first
 
 
 @compiled
@@ -59,9 +60,7 @@ def sort_each(rest: Any, c: int, count: int, signed: bool, place: Any) -> None:
 
 
 @compiled
-def fold_plain(
-    z: Any, c: int, count: int, rest: Any, sizes: Any, bounds: Any, sums: Any, shift: Any, place: Any
-) -> None:
+def fold_plain(z: Any, c: int, count: int, rest: Any, bounds: Any, sums: Any, shift: Any, place: Any) -> None:
     """Floors, the order of what is left, and turning so that the lattice is met.
 
     Of c rows z it writes the vector of the lattice, what is left, and its place in the order.
@@ -84,12 +83,12 @@ def fold_plain(
         sort_each(rest, c, count, False, place)
     for q in range(BLOCK):
         sums[1, q] = np.ceil(sums[0, q] / c)
-        sums[0, q] = c * sums[1, q] - sums[0, q]
+        bounds[0, q] = int(c * sums[1, q] - sums[0, q])
     for i in range(c):
         for q in range(BLOCK):
-            wrapped = 1.0 if place[i, q] < sums[0, q] else 0.0
-            lift = wrapped - sums[1, q]
-            place[i, q] += c * wrapped - sums[0, q]
+            place[i, q] -= bounds[0, q]
+            lift = (1.0 if place[i, q] < 0 else 0.0) - sums[1, q]
+            place[i, q] += c if place[i, q] < 0 else 0
             rest[i, q] -= lift
             shift[i, q] += lift
 
@@ -124,7 +123,7 @@ def fold_signed(
     for i in range(c):
         for q in range(BLOCK):
             way = sums[0, q] if rest[i, q] >= 0.0 else -sums[0, q]
-            way = way if place[i, q] == 0.0 else 0.0
+            way = way if place[i, q] == 0 else 0.0
             shift[i, q] += way
             rest[i, q] -= way
             signs[i, q] = -1.0 if rest[i, q] < 0.0 else 1.0
@@ -133,7 +132,7 @@ def fold_signed(
     if kind == 3:
         for i in range(c):
             for q in range(BLOCK):
-                flip = sums[1, q] if place[i, q] == c - 1.0 else 1.0
+                flip = sums[1, q] if place[i, q] == c - 1 else 1.0
                 signs[i, q] *= flip
                 rest[i, q] *= flip
 
@@ -227,26 +226,33 @@ def levels_of(x: Any, m: int, kind: int, levels: Any) -> None:
 
 
 @compiled
+def workspace(c: int, width: int) -> tuple[Any, ...]:
+    """What c coordinates of a block are folded in; one by one, as slices of one array might overlap."""
+    z, rest, size_of = np.empty((c, BLOCK)), np.empty((c, BLOCK)), np.empty((c, BLOCK))
+    bounds, sums, shift = np.empty((c, BLOCK), np.int64), np.empty((2, BLOCK)), np.empty((c, BLOCK))
+    place, signs, x = np.empty((c, BLOCK), np.int64), np.ones((c, BLOCK)), np.zeros((width, BLOCK))
+    return z, rest, size_of, bounds, sums, shift, place, signs, x
+
+
+@compiled
 def locate_classical(
     points: Any, kind: int, lengths: Any, key_unit: int, centre: Any, factor: float, keys: Any, shares: Any,
     near: Any, sizes: Any,
 ) -> None:  # fmt: skip
     """A~d to D~d."""
     m, labels = len(centre), shares.shape[1]
-    z, rest, shift = np.empty((m, BLOCK)), np.empty((m, BLOCK)), np.empty((m, BLOCK))
-    place, x = np.empty((m, BLOCK)), np.empty((m, BLOCK))
-    signs, size_of, levels = np.ones((m, BLOCK)), np.empty((m, BLOCK)), np.empty((labels, BLOCK))
-    bounds, sums = np.empty((m, BLOCK), np.int64), np.empty((2, BLOCK))
+    z, rest, size_of, bounds, sums, shift, place, signs, x = workspace(m, m)
+    levels = np.empty((labels, BLOCK))
     for begin in range(0, len(points), BLOCK):
         count = min(BLOCK, len(points) - begin)
         load(points, begin, count, lengths, z, sums, sizes)
         if kind == 0:
-            fold_plain(z, m, count, rest, size_of, bounds, sums, shift, place)
+            fold_plain(z, m, count, rest, bounds, sums, shift, place)
         else:
             fold_signed(z, m, count, kind, rest, size_of, bounds, sums, shift, place, signs)
         for i in range(m):
             for q in range(count):
-                j = int(place[i, q])
+                j = np.uint64(place[i, q])
                 x[j, q] = rest[i, q]
                 bounds[i, q] = int(shift[i, q]) * key_unit + int(signs[i, q]) * centre[j]
         store(bounds, begin, count, keys)
@@ -255,96 +261,81 @@ def locate_classical(
         store(levels, begin, count, shares)
 
 
-@njit(cache=True, error_model="numpy", fastmath={"reassoc", "contract"})
-def find_cells(x: Any, walls: Any, children: Any, depth: int, finest: float, nodes: Any) -> None:
-    """Down the tree with several points side by side, which hides how long each step takes.
+@compiled
+def product(rows: Any, matrix: Any, images: Any) -> None:
+    """The product of a matrix and WIDTH rows; its last column holds constants."""
+    for i in range(len(matrix)):
+        a, b, c, d = matrix[i, 0], matrix[i, 1], matrix[i, 2], matrix[i, 3]
+        e, f, g, h, one = matrix[i, 4], matrix[i, 5], matrix[i, 6], matrix[i, 7], matrix[i, 8]
+        for q in range(BLOCK):
+            first = one + a * rows[0, q] + b * rows[1, q] + c * rows[2, q] + d * rows[3, q]
+            images[i, q] = first + e * rows[4, q] + f * rows[5, q] + g * rows[6, q] + h * rows[7, q]
 
-    The sums are exact, so that their order may be changed.
+
+@compiled
+def reflect(levels: Any, steps: Any, factors: Any, beyond: Any, level: Any, back: bool) -> None:
+    """In wall after wall those points that lie beyond it, or on the way back those that did (1, else 0).
+
+    That changes the levels of the wall and of up to three neighbours.
     """
-    for q in range(BLOCK):
-        nodes[q] = len(walls) - 1
-    for _ in range(depth):
-        for q in range(BLOCK):
-            node = nodes[q]
-            level = walls[node, WIDTH] * finest
-            for i in range(WIDTH):
-                level += x[q, i] * walls[node, i]
-            nodes[q] = children[node, int(level < 0)]
-
-
-@compiled
-def sum_up(levels: Any, labels: int) -> None:
-    """Coordinate 0 is 1 less all others."""
-    for q in range(BLOCK):
-        levels[0, q] = 1.0
-    for k in range(1, labels):
-        for q in range(BLOCK):
-            levels[0, q] -= levels[k, q]
-
-
-@compiled
-def multiply(rows: Any, c: int, matrix: Any, below: int, m: int, images: Any) -> None:
-    """The product of a matrix with few entries and c rows, over a number that divides it."""
-    for i in range(m):
-        for q in range(BLOCK):
-            images[i, q] = 0
-        for j in range(c):
-            factor = matrix[j, i]
-            if factor != 0:
-                for q in range(BLOCK):
-                    images[i, q] += factor * rows[j, q]
-        if below != 1:
+    for i in range(len(steps)):
+        s = np.uint64(len(steps) - 1 - i if back else i)
+        k = steps[s, 0]
+        if not back:
             for q in range(BLOCK):
-                images[i, q] = int(np.rint(images[i, q] / below))
+                beyond[s, q] = 1.0 if levels[k, q] < 0.0 else 0.0
+        for q in range(BLOCK):
+            level[q] = levels[k, q] * beyond[s, q]
+            levels[k, q] -= 2.0 * level[q]
+        for n in range(3):
+            neighbour, factor = steps[s, n + 1], factors[s, n]
+            if factor != 0.0:
+                for q in range(BLOCK):
+                    levels[neighbour, q] += factor * level[q]
 
 
 @compiled
 def locate_in_cells(
-    points: Any, parts: Any, walls: Any, children: Any, depth: int, forms: Any, centres: Any, outward: Any,
-    below: int, key_unit: int, finest: float, factor: float, keys: Any, shares: Any, near: Any, sizes: Any,
+    points: Any, parts: Any, forms: Any, weights: Any, steps: Any, factors: Any, corners: Any, outward: Any,
+    below: int, key_unit: int, centre: float, factor: float, keys: Any, shares: Any, near: Any, sizes: Any,
 ) -> None:  # fmt: skip
-    """E6, E7, E8, F4, G2: sorting by the parts of the subgroup, then down the tree to the cell.
-
-    Tables are filled up with zeros to a fixed width, so that the innermost loops are unrolled.
-    """
-    c, labels = points.shape[1], shares.shape[1]
-    z, rest, nothing = np.empty((c, BLOCK)), np.empty((c, BLOCK)), np.empty(0)
-    shift, place, signs = np.empty((c, BLOCK)), np.empty((c, BLOCK)), np.ones((c, BLOCK))
-    size_of, bounds, sums = np.empty((c, BLOCK)), np.empty((c, BLOCK), np.int64), np.empty((2, BLOCK))
-    x, fine, nodes = np.zeros((BLOCK, WIDTH)), np.zeros((BLOCK, WIDTH)), np.empty(BLOCK, np.int64)
-    level, levels, images = np.empty(WIDTH), np.zeros((labels, BLOCK)), np.empty((WIDTH, BLOCK), np.int64)
+    """E6, E7, E8, F4, G2: sorting by the parts of the subgroup, then reflections."""
+    c, labels, m = points.shape[1], shares.shape[1], keys.shape[1]
+    z, rest, size_of, bounds, sums, shift, place, signs, x = workspace(c, WIDTH)
+    levels, level, nothing = np.zeros((WIDTH + 1, BLOCK)), np.empty(BLOCK), np.empty(0)
+    beyond = np.empty((len(steps), BLOCK))
+    images, back = np.zeros((WIDTH, BLOCK), np.int64), np.empty((m, BLOCK), np.int64)
     for begin in range(0, len(points), BLOCK):
         count = min(BLOCK, len(points) - begin)
         load(points, begin, count, nothing, z, sums, sizes)
         for part in range(len(parts)):
-            kind, start, w = parts[part, 0], parts[part, 1], parts[part, 2]
+            kind, start, w = parts[part]
             y, to, at, sign = z[start:], shift[start:], place[start:], signs[start:]
             if kind == 0:
-                fold_plain(y, w, count, rest, size_of, bounds, sums, to, at)
+                fold_plain(y, w, count, rest, bounds, sums, to, at)
             else:
                 fold_signed(y, w, count, kind, rest, size_of, bounds, sums, to, at, sign)
             for i in range(w):
                 for q in range(BLOCK):
                     at[i, q] += start
-                    x[q, int(at[i, q])] = rest[i, q]
-        for q in range(BLOCK):
-            for i in range(c):
-                fine[q, i] = np.rint(x[q, i] * finest)
-        find_cells(fine, walls, children, depth, finest, nodes)
-        for q in range(BLOCK):
-            cell = nodes[q]
-            for k in range(WIDTH):
-                level[k] = forms[cell, WIDTH, k]
-            for i in range(c):
-                for k in range(WIDTH):
-                    level[k] += x[q, i] * forms[cell, i, k]
-            for k in range(1, labels):
-                levels[k, q] = level[k - 1]
-            for j in range(c):
-                image = signs[j, q] * centres[cell, int(place[j, q])]
-                bounds[j, q] = int(shift[j, q]) * key_unit + int(image)
-        sum_up(levels, labels)
+                    x[np.uint64(at[i, q]), q] = rest[i, q]
+        product(x, forms, levels)
+        reflect(levels, steps, factors, beyond, level, False)
+        for k in range(labels):
+            for q in range(BLOCK):
+                levels[k, q] *= weights[k]
         settle(levels, labels, begin, count, factor, sizes, sums, near)
         store(levels, begin, count, shares)
-        multiply(bounds, c, outward, below, keys.shape[1], images)
-        store(images, begin, count, keys)
+        levels[:labels] = centre
+        reflect(levels, steps, factors, beyond, level, True)
+        product(levels[1:], corners, rest)  # level 0 follows from the others
+        for i in range(c):
+            for q in range(BLOCK):
+                image = signs[i, q] * rest[np.uint64(place[i, q]), q]
+                images[i, q] = int(shift[i, q]) * key_unit + int(np.rint(image))
+        product(images, outward, back)
+        if below != 1:
+            for i in range(m):
+                for q in range(BLOCK):
+                    back[i, q] = int(np.rint(back[i, q] * (1.0 / below)))
+        store(back, begin, count, keys)

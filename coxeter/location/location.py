@@ -6,7 +6,6 @@ from dataclasses import dataclass
 from functools import cached_property
 from typing import TYPE_CHECKING, Any
 
-import numpy as np
 from numpy.typing import NDArray
 
 from ..meshes.judging import is_lazy
@@ -14,6 +13,7 @@ from .lazy import vertices_lazily
 from .subgroups import Ints
 
 if TYPE_CHECKING:
+    from .feasible import Flags
     from .grid import Floats, Grid
 
 
@@ -40,7 +40,7 @@ class Location:
     grid: Grid
     keys: Ints
     barycentric: NDArray[Any]
-    open: NDArray[np.bool_]
+    open: Flags
 
     def __len__(self) -> int:
         return len(self.keys)

@@ -28,7 +28,7 @@ class Sorting:
     signs: Points | None
 
     def undo(self, images: Points, chosen: NDArray[np.intp] | None, unit: Any) -> Points:
-        """Carry one of the points (cells, c) back, for each column the chosen one."""
+        """Carry one of the points (·, c) back, for each column the chosen one."""
         where = self.places if chosen is None else self.places + chosen * len(self.places)
         back: Points = np.take(images, where)
         if self.signs is not None:
