@@ -164,9 +164,8 @@ ENOUGH = 12
 def _depends_on_size(measure: Measure[V], d: int) -> bool:
     """Whether it has another value of the regular simplex twice as large; angles have not."""
     value = _of_regular(measure, d)
-    if isinstance(value, Angle):
-        return False
-    return measure(Simplex([[2 * x for x in u] for u in regular_simplex(d).vertices])) != value
+    twice = Simplex([[2 * x for x in u] for u in regular_simplex(d).vertices])
+    return not isinstance(value, Angle) and bool(measure(twice) != value)
 
 
 def _told(error: Exception, function: Any) -> str:
