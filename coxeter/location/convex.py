@@ -8,6 +8,7 @@ from __future__ import annotations
 
 import math
 from dataclasses import dataclass
+from itertools import product
 from typing import Protocol
 
 import numpy as np
@@ -19,6 +20,10 @@ from .feasible import TINY, Flags, Floats, feasible
 
 SLACK = 2.0**-44
 """How much a region is enlarged, relative to the largest coordinate: 512 times the rounding of a float."""
+
+
+MOST_SIGNS = 7
+"""Signs that are varied to find long diagonals."""
 
 
 class Region(Protocol):
@@ -36,8 +41,15 @@ class Region(Protocol):
     def sections(self) -> Floats:
         """The logarithms of the volumes of flat pieces of it, of dimension 1 to d; the last is all of it."""
 
+    @property
+    def chords(self) -> Floats:
+        """Differences (n, d) of some of its points that are far apart."""
+
+    def volume_within(self, by: float) -> float:
+        """The logarithm of the volume of all that lies within a positive distance."""
+
     def enlarged(self, by: float) -> Region:
-        """The same, with all that lies within a distance."""
+        """A region of the same kind that holds all that lies within a distance."""
 
     def reach(self, directions: Floats) -> Floats:
         """The maxima of <x, direction> over the region, for directions (..., d)."""
@@ -70,6 +82,23 @@ class Box:
         """The logarithms of the volumes of its largest faces, of dimension 1 to d."""
         with np.errstate(divide="ignore"):
             return np.cumsum(np.log(2) + np.log(np.sort(self.half)[::-1]))
+
+    @property
+    def chords(self) -> Floats:
+        """Its edges and diagonals; of the latter some, in many dimensions."""
+        d = len(self.half)
+        signs = np.ones((2 ** min(d - 1, MOST_SIGNS), d))
+        signs[:, 1 : MOST_SIGNS + 1] = list(product([1, -1], repeat=min(d - 1, MOST_SIGNS)))
+        return 2 * self.half * np.concatenate([np.eye(d), signs])
+
+    def volume_within(self, by: float) -> float:
+        """The logarithm of its volume with all that lies within a distance, by Steiner's formula."""
+        d = len(self.half)
+        pieces = np.concatenate([[0.0], np.full(d, -np.inf)])  # of the faces at a vertex, by dimension
+        with np.errstate(divide="ignore"):
+            for length in np.log(2) + np.log(self.half):
+                pieces[1:] = np.logaddexp(pieces[1:], pieces[:-1] + length)
+        return float(np.logaddexp.reduce(pieces + np.concatenate([[0.0], balls(d, by)])[::-1]))
 
     def enlarged(self, by: float) -> Box:
         """A larger box."""
@@ -127,6 +156,15 @@ class Ball:
     def sections(self) -> Floats:
         """The logarithms of the volumes of balls of dimension 1 to d."""
         return balls(len(self.centre), self.radius)
+
+    @property
+    def chords(self) -> Floats:
+        """Diameters."""
+        return 2 * self.radius * np.eye(len(self.centre))
+
+    def volume_within(self, by: float) -> float:
+        """The logarithm of the volume with all that lies within a distance."""
+        return float(balls(len(self.centre), self.radius + by)[-1])
 
     def enlarged(self, by: float) -> Ball:
         """A larger ball."""
