@@ -17,6 +17,7 @@ vectors may be entered as are no farther from K than the longest edge at vertex 
 
 from __future__ import annotations
 
+import math
 from collections.abc import Iterator
 from dataclasses import dataclass
 from functools import cached_property, partial
@@ -25,7 +26,7 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from .alcoves import LARGEST_ANSWER, check_count
-from .bounds import at_least, vectors_near
+from .bounds import at_least, quick, vectors_near
 from .convex import SLACK, Region, meets
 from .feasible import Flags, Floats
 from .interpolation import vertices_of
@@ -40,7 +41,9 @@ LARGEST_STAR = 3_000_000
 """Stars of more simplices are not made: then neighbours lead to neighbours, however many there are."""
 SPARSE = 256
 """Where fewer than one in so many simplices of the stars meets the region, neighbours are faster."""
-LARGEST_WORK = 2**32
+SAMPLE = 1 << 14
+"""By about so many simplices it is estimated how many more there are."""
+LARGEST_WORK = 2**31
 """So many vertices are looked at, at most, to find those in a region."""
 BLOCK = 1 << 18
 """So many simplices, or numbers, at a time are held in intermediate arrays."""
@@ -72,16 +75,35 @@ class Search:
 
     def few(self) -> Ints | None:
         """The same, from neighbour to neighbour; None if stars are better."""
-        d, order = self.grid.dimension, self.grid.triangulation.roots.weyl_group_order
+        order = self.grid.triangulation.roots.weyl_group_order
         self._check(at_least(self.grid, self.region, self.slack))
-        limit = LARGEST_ANSWER // (d + 1)
+        limit, most = LARGEST_ANSWER // (self.grid.dimension + 1), vectors_near(self.grid, self.region) * order
+        if most > limit:
+            self._check(self.estimate() / 2, "about {} simplices")
         if order <= LARGEST_STAR:
-            dense = vectors_near(self.grid, self.region) * order / SPARSE
-            return self.spread(int(min(limit, max(dense, BLOCK / 64))))
+            return self.spread(int(min(limit, max(most / SPARSE, BLOCK / 64))))
         found = self.spread(limit)
         if found is None:
             self._check(limit + 1)
         return found
+
+    def estimate(self) -> float:
+        """About how many simplices meet the region, and rather less: by how fast they become more in a part of
+        it that grows."""
+        part, counts = 1.0, [1]
+        while part > 2.0**-1000 and quick(self.grid, self._part(part).region) > SAMPLE / 64:
+            part /= 2
+        while part < 1 and (found := self._part(part).spread(SAMPLE)) is not None:
+            counts.append(len(found))
+            part *= 2
+        if part == 1:
+            return 1.0
+        growth = math.log2(counts[-1] / counts[-2]) if len(counts) > 2 else 0.0
+        return counts[-1] * 2.0 ** min(-growth * (math.log2(part) - 1), 1000.0)
+
+    def _part(self, part: float) -> Search:
+        """The region made smaller about its centre."""
+        return Search(self.grid, self.region.enlarged(-self.slack).scaled(part).enlarged(self.slack), self.slack)
 
     def stars(self) -> tuple[Ints, Ints, Ints]:
         """Vectors of L, and of each simplex that meets the region the number of its vertex 0 and its own."""
@@ -119,7 +141,7 @@ class Search:
         grid, d = self.grid, self.grid.dimension
         order = grid.triangulation.roots.weyl_group_order
         work = vectors_near(grid, self.region) * sum(order / grid.meeting_at(k) for k in range(d + 1))
-        limit = int(min(LARGEST_ANSWER // (d + 1), max(work / SPARSE, BLOCK / 64)))
+        limit = int(min(LARGEST_ANSWER // (d + 1), max(min(work, LARGEST_WORK) / SPARSE / 8, BLOCK / 64)))
         if at_least(grid, self.region, self.slack) <= limit and (keys := self.spread(limit)) is not None:
             found = vertices_of(grid, keys)[0]
             inside = self.region.distance(self._place(found.keys - self._origin[0])) == 0
