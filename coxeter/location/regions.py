@@ -75,7 +75,7 @@ class Search:
 
     def few(self) -> Ints | None:
         """The same, from neighbour to neighbour; None if stars are better."""
-        order = self.grid.triangulation.roots.weyl_group_order
+        order = min(self.grid.triangulation.roots.weyl_group_order, 10**300)
         self._check(at_least(self.grid, self.region, self.slack))
         limit, most = LARGEST_ANSWER // (self.grid.dimension + 1), vectors_near(self.grid, self.region) * order
         if most > limit:
@@ -91,7 +91,7 @@ class Search:
         """About how many simplices meet the region, and rather less: by how fast they become more in a part of
         it that grows."""
         part, counts = 1.0, [1]
-        while part > 2.0**-1000 and quick(self.grid, self._part(part).region) > SAMPLE / 64:
+        while part > 2.0**-1000 and quick(self.grid, self._part(part).region) > 8:
             part /= 2
         while part < 1 and (found := self._part(part).spread(SAMPLE)) is not None:
             counts.append(len(found))
@@ -140,8 +140,9 @@ class Search:
         """The vertices in the region, times the unit, in lexicographic order; and their labels."""
         grid, d = self.grid, self.grid.dimension
         order = grid.triangulation.roots.weyl_group_order
-        work = vectors_near(grid, self.region) * sum(order / grid.meeting_at(k) for k in range(d + 1))
-        limit = int(min(LARGEST_ANSWER // (d + 1), max(min(work, LARGEST_WORK) / SPARSE / 8, BLOCK / 64)))
+        each = sum(order // grid.meeting_at(k) for k in range(d + 1))
+        work = vectors_near(grid, self.region) * min(each, 10**300)
+        limit = int(max(work / SPARSE / 8, BLOCK / 64)) if work <= LARGEST_WORK else BLOCK // 4
         if at_least(grid, self.region, self.slack) <= limit and (keys := self.spread(limit)) is not None:
             found = vertices_of(grid, keys)[0]
             inside = self.region.distance(self._place(found.keys - self._origin[0])) == 0

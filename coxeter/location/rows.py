@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import logging
 from collections.abc import Callable
 from math import prod
 from typing import Any
@@ -11,6 +12,8 @@ from numpy.typing import NDArray
 
 from .subgroups import Ints
 
+LOG = logging.getLogger(__name__)
+"""It is told, at level INFO, how far a long search is."""
 LARGEST = 2**62
 """Codes stay below it, so that they are machine integers."""
 FEW = 1000
@@ -130,8 +133,9 @@ def flood(
             return None
         if not careful and count > 2 * looked + FEW:
             # Unless `keep` has changed its mind, as rounding may: then a row entered late leads back.
+            LOG.info("%d found so far", count)
             once = distinct(np.concatenate(found))[0]
             careful, looked = len(once) < count, count
             if careful:
-                found, before = [once], once
+                found, before, count = [once], once, len(once)
     return distinct(np.concatenate(found))[0]
