@@ -145,7 +145,7 @@ sys.exit(main(sys.argv[1:]))
 """
 
 
-@pytest.mark.parametrize("sign", [signal.SIGINT, signal.SIGTERM])
+@pytest.mark.parametrize("sign", [signal.SIGINT, signal.SIGTERM, signal.SIGHUP])
 def test_a_command_that_is_stopped_leaves_nothing_but_the_old_file(tmp_path, sign):
     path = tmp_path / "out.vtu"
     path.write_text("the old file")
@@ -155,7 +155,7 @@ def test_a_command_that_is_stopped_leaves_nothing_but_the_old_file(tmp_path, sig
         time.sleep(0.01)
     running.send_signal(sign)
     assert running.communicate()[1] == b"coxeter: stopped\n"
-    assert running.returncode == 130
+    assert running.returncode == 128 + sign
     assert [x.read_text() for x in tmp_path.iterdir()] == ["the old file"]
 
 

@@ -225,7 +225,7 @@ def test_what_cannot_be_written_is_refused(tmp_path, mesh, name, words):
         ("mesh.vtu", b"", "cannot be read as .vtu"),
         ("mesh.npz", b"PK nonsense", "cannot be read as NPZ"),
         ("mesh.npz", b"", "cannot be read as NPZ"),
-        ("mesh.off", b"OFF\n3 0 0\n0 0 0\n1 0 0\n0 1 0\n", "neither triangles nor tetrahedra"),
+        ("mesh.off", b"OFF\n3 0 0\n0 0 0\n1 0 0\n0 1 0\n", "no triangles or tetrahedra"),
         ("mesh.off", b"OFF\n3 1 0\n0 0 nan\n1 0 0\n0 1 0\n3 0 1 2\n", "finite"),
         ("mesh.off", b"OFF\n3 1 0\n0 0 0\n1 0 0\n0 1 0\n3 0 1 7\n", "there are 3"),
     ],

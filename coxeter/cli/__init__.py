@@ -6,7 +6,6 @@ Bad input ends with one sentence on the standard error and exit status 2.
 from __future__ import annotations
 
 import argparse
-import os
 import re
 import sys
 from collections.abc import Sequence
@@ -14,7 +13,7 @@ from typing import NoReturn
 
 from .. import __version__
 from ..errors import CoxeterError
-from . import comparing, ledger, meshes, triangulations
+from . import console
 
 
 class _Parser(argparse.ArgumentParser):
@@ -23,6 +22,8 @@ class _Parser(argparse.ArgumentParser):
 
 
 def _parser() -> argparse.ArgumentParser:
+    from . import comparing, ledger, meshes, triangulations  # here, so that an interruption is told in words
+
     parser = _Parser(prog="coxeter", description="Coxeter triangulations, computed exactly.")
     parser.add_argument("--version", action="version", version=f"coxeter-triangulations {__version__}")
     commands = parser.add_subparsers(dest="command", required=True, metavar="COMMAND")
@@ -40,20 +41,28 @@ def main(arguments: Sequence[str] | None = None) -> int:
         given = [f" {x}" if re.match(r"-[^-h]", x) else x for x in given]
     if given[:1] == ["mesh"]:  # so may a corner of a box
         given = [f" {x}" if re.match(r"-[.\d]", x) else x for x in given]
+    console.readable()
     try:
-        options = _parser().parse_args(given)
-        answer = options.run(options)
-        print(answer.text, flush=True)
+        with console.stopped_by_signals():
+            options = _parser().parse_args(given)
+            answer = options.run(options)
+            print(answer.text, flush=True)
     except CoxeterError as error:
-        print(f"coxeter: {error}", file=sys.stderr)
+        console.say(f"coxeter: {error}")
         return 2
-    except KeyboardInterrupt:
-        print("coxeter: stopped", file=sys.stderr)
-        return 130
+    except KeyboardInterrupt as stop:
+        console.say("coxeter: stopped")
+        return stop.args[0] if stop.args else 130
     except MemoryError:
-        print("coxeter: there is not enough memory for this dimension; try a smaller one", file=sys.stderr)
+        console.say(
+            "coxeter: there is not enough memory for this; try a smaller dimension, or fewer simplices"
+        )
         return 2
     except BrokenPipeError:  # the reader, such as `head`, has seen enough
-        os.dup2(os.open(os.devnull, os.O_WRONLY), sys.stdout.fileno())
+        console.abandon_output()
         return 0
+    except OSError as error:
+        console.say(f"coxeter: {error}")
+        console.abandon_output()
+        return 2
     return int(answer.status)

@@ -3,14 +3,16 @@
 from __future__ import annotations
 
 import argparse
-import sys
-import time
-from collections.abc import Callable, Iterator
-from contextlib import contextmanager
+import warnings
 from typing import TYPE_CHECKING, Any, NamedTuple
+
+from ..errors import InvalidInput
 
 if TYPE_CHECKING:
     Commands = argparse._SubParsersAction[Any]
+
+MOST_DIGITS = 1000
+"""More digits than this nobody reads, and many of them take long."""
 
 
 class Answer(NamedTuple):
@@ -28,24 +30,13 @@ def integer(text: str) -> int:
         raise argparse.ArgumentTypeError(f"{text!r} is no integer: give one, such as 8") from None
 
 
-@contextmanager
-def progress() -> Iterator[Callable[[float, str], None] | None]:
-    """A bar on the standard error, if that is a terminal; it goes when the work is done.
+def checked_digits(number: int) -> int:
+    """A number of digits that can be shown."""
+    if not 0 <= number <= MOST_DIGITS:
+        raise InvalidInput(f"{number} digits cannot be shown: give 0 to {MOST_DIGITS}")
+    return number
 
-    It is told which share is done, and in words what of what.
-    """
-    if not sys.stderr.isatty():
-        yield None
-        return
-    started = time.perf_counter()
 
-    def show(share: float, words: str) -> None:
-        full = int(30 * share)
-        bar = "█" * full + "░" * (30 - full)
-        seconds = time.perf_counter() - started
-        print(f"\r{bar} {words}, {seconds:.0f} s", end="\x1b[K", file=sys.stderr, flush=True)
-
-    try:
-        yield show
-    finally:
-        print("\r\x1b[K", end="", file=sys.stderr, flush=True)
+def words(notes: list[warnings.WarningMessage]) -> list[str]:
+    """What the library says by warnings, each once."""
+    return list(dict.fromkeys(str(note.message) for note in notes if note.category is UserWarning))

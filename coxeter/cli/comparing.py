@@ -3,13 +3,16 @@
 from __future__ import annotations
 
 import argparse
+import warnings
 from typing import TYPE_CHECKING
 
 from ..errors import InvalidInput
 from ..peers import DEFAULT, PEERS, Peer, find_peer
 from ..quality import MEASURES, MESH_MEASURES, find_measure
 from ..tables import FORMATS, measure_table
-from .common import Answer, integer
+from .common import Answer, checked_digits, integer, words
+from .console import say
+from .loading import add_load, measures_of
 
 if TYPE_CHECKING:
     from .common import Commands
@@ -22,7 +25,11 @@ def add_commands(commands: Commands) -> None:
     """Add the command to a parser."""
     sub = commands.add_parser("compare", help="all families and other triangulations, by one measure")
     measures = ", ".join([*MEASURES, *MESH_MEASURES])
-    sub.add_argument("--measure", default="thickness", help=f"one of {measures} (default thickness)")
+    sub.add_argument(
+        "--measure",
+        help=f"one of {measures} (default thickness, or the one measure of a file that is loaded)",
+    )
+    add_load(sub)
     sub.add_argument("--max-dim", type=integer, default=8, help="largest dimension (default 8)")
     sub.add_argument(
         "--with",
@@ -38,15 +45,28 @@ def add_commands(commands: Commands) -> None:
 
 
 def _compare(options: argparse.Namespace) -> Answer:
-    measure = find_measure(options.measure)
     if options.max_dim < 2:
         raise InvalidInput(f"{options.max_dim} is no dimension to compare up to: give an integer >= 2")
     if options.max_dim > LARGEST:
         raise InvalidInput(f"{options.max_dim} columns are too many for a table: give {LARGEST} or fewer")
+    digits = checked_digits(options.digits)
     peers = [peer for peer in _peers(options.peers) if peer.low <= options.max_dim]
-    table = measure_table(measure, options.max_dim, peers=peers, best=True)
-    text = table.render(options.format, options.digits, options.exact)
-    return Answer(f"{text}\n\n{_notes(peers)}" if options.format == "text" else text)
+    with measures_of(options.load) as loaded, warnings.catch_warnings(record=True) as notes:
+        warnings.simplefilter("always")
+        measure = find_measure(options.measure or _chosen(loaded))
+        table = measure_table(measure, options.max_dim, peers=peers, best=True)
+        text = table.render(options.format, digits, options.exact)
+    if options.format == "text":
+        return Answer("\n".join([text, "", *words(notes), _notes(peers)]))
+    for note in words(notes):
+        say(f"coxeter: {note}")
+    return Answer(text)
+
+
+def _chosen(loaded: list[str]) -> str:
+    if len(loaded) > 1:
+        raise InvalidInput(f"several measures were loaded: choose by --measure one of {', '.join(loaded)}")
+    return loaded[0] if loaded else "thickness"
 
 
 def _peers(text: str) -> list[Peer]:
@@ -57,8 +77,8 @@ def _peers(text: str) -> list[Peer]:
 
 def _notes(peers: list[Peer]) -> str:
     notes = [f"{peer.name}: {peer.title}. {peer.source}" for peer in peers]
-    words = (
+    first = (
         "1 is the regular simplex; larger is better. *: the largest of the values shown, compared exactly."
     )
     others = ["Of the others, the worst simplex counts; -: there is none, or no method for it.", *notes]
-    return "\n".join([words, *(others if peers else ())])
+    return "\n".join([first, *(others if peers else ())])

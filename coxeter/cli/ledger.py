@@ -15,7 +15,8 @@ from ..ledger.pools import cpus, process_pool
 from ..ledger.reporting import compare
 from ..ledger.running import verify
 from ..ledger.selecting import expected, select
-from .common import Answer, integer, progress
+from .common import Answer, integer
+from .console import progress
 from .explaining import explain, explained
 
 if TYPE_CHECKING:

@@ -4,10 +4,8 @@ from __future__ import annotations
 
 import argparse
 import json
-import signal
 import warnings
 from collections.abc import Callable, Iterator
-from contextlib import contextmanager
 from typing import TYPE_CHECKING, Any
 
 from ..errors import InvalidInput
@@ -16,7 +14,9 @@ from ..meshes import Mesh, QualityReport, mesh_qualities, quality_report, read_m
 from ..meshes.files import FORMATS, NPZ, check_path
 from ..meshes.judging import CHUNK
 from ..meshes.reporting import MeasureReport
-from .common import Answer, integer, progress
+from .common import Answer, integer, words
+from .console import progress
+from .loading import add_load, measures_of
 
 if TYPE_CHECKING:
     from .common import Commands
@@ -50,6 +50,7 @@ def add_commands(commands: Commands) -> None:
         "files", nargs="+", metavar="FILE", help="a mesh, in any format that meshio reads, or NPZ"
     )
     sub.add_argument("--measure", action="append", metavar="NAME", help="only this one; may be repeated")
+    add_load(sub)
     sub.add_argument("--raw", action="store_true", help="do not divide by the regular simplex")
     sub.add_argument("--bins", type=integer, default=10, help="bars of the histograms (default 10)")
     sub.add_argument(
@@ -95,7 +96,7 @@ def _mesh(options: argparse.Namespace) -> Answer:
     offset = None if given is None else _numbers("--offset", given, d, "the coordinates of u_0")
     grid = Grid(options.type, scale=options.scale, offset=offset)
     check_path(options.output, d)
-    with _stopped_by_sigterm(), progress() as show, warnings.catch_warnings(record=True) as notes:
+    with progress() as show, warnings.catch_warnings(record=True) as notes:
         warnings.simplefilter("always")
         if show:
             show(0, "looking for the simplices")
@@ -113,22 +114,7 @@ def _mesh(options: argparse.Namespace) -> Answer:
     ]
     if report.degenerate:
         lines.append(f"{report.degenerate} simplices are flat, so large are the coordinates for floats")
-    return Answer("\n".join([*lines, *_words(notes)]))
-
-
-def _words(notes: list[warnings.WarningMessage]) -> list[str]:
-    """What the library says by warnings."""
-    return [str(note.message) for note in notes if note.category is UserWarning]
-
-
-@contextmanager
-def _stopped_by_sigterm() -> Iterator[None]:
-    """A terminated command tidies up, as an interrupted one does."""
-    before = signal.signal(signal.SIGTERM, signal.default_int_handler)
-    try:
-        yield
-    finally:
-        signal.signal(signal.SIGTERM, before)
+    return Answer("\n".join([*lines, *words(notes)]))
 
 
 def _patch(grid: Grid, options: argparse.Namespace) -> Mesh:
@@ -146,7 +132,8 @@ def _patch(grid: Grid, options: argparse.Namespace) -> Mesh:
 
 
 def _quality(options: argparse.Namespace) -> Answer:
-    reports = [(name, *_judged(name, options)) for name in options.files]
+    with measures_of(options.load):
+        reports = [(name, *_judged(name, options)) for name in options.files]
     if options.json:
         data = [{"file": name, "notes": notes, **report.data()} for name, report, notes in reports]
         return Answer(json.dumps(data, indent=1, ensure_ascii=False))
@@ -162,8 +149,11 @@ def _judged(name: str, options: argparse.Namespace) -> tuple[QualityReport, list
             show(0, f"reading {name}")
         mesh = read_mesh(name)
         tell = show and _counting(show, len(mesh), 0, 1)
-        report = quality_report(mesh, options.measure, not options.raw, options.bins, options.chunk, tell)
-    return report, _words(notes)
+        try:
+            report = quality_report(mesh, options.measure, not options.raw, options.bins, options.chunk, tell)
+        except InvalidInput as error:
+            raise InvalidInput(f"{name}: {error}") from error
+    return report, words(notes)
 
 
 def _sheet(name: str, report: QualityReport, notes: list[str], normalised: bool) -> Iterator[str]:
@@ -178,7 +168,8 @@ def _sheet(name: str, report: QualityReport, notes: list[str], normalised: bool)
         yield f"{report.degenerate} degenerate to rounding, left out below: {first}{more}"
     else:
         yield "none degenerate"
-    yield f"rounding of lengths, heights and volumes: at most {report.error:.1g} of them"
+    if report.cells > report.degenerate:
+        yield f"rounding of lengths, heights and volumes: at most {report.error:.1g} of them"
     yield "1 is the regular simplex; larger is better" if normalised else "raw values"
     yield ""
     yield from _table(report.measures)
@@ -214,7 +205,7 @@ def _histogram(x: MeasureReport) -> Iterator[str]:
 
 
 def _decimal(value: Any) -> str:
-    """Three digits after the point; of a number that would lose all, its first three."""
+    """Three digits after the point; of a number that would lose all, or is too long, its first three."""
     if value is None:
         return "-"
-    return f"{value:.3f}" if value == 0 or abs(value) >= 0.0005 else f"{value:.2e}"
+    return f"{value:.3f}" if value == 0 or 0.0005 <= abs(value) < 1e5 else f"{value:.2e}"

@@ -11,7 +11,7 @@ from ..names import triangulations_up_to
 from ..report import simplex_data, simplex_sheet, to_json, triangulation_data, triangulation_sheet
 from ..simplex import Simplex
 from ..tables import FORMATS, TABLES, Table, table
-from .common import Answer, integer
+from .common import Answer, checked_digits, integer
 
 if TYPE_CHECKING:
     from .common import Commands
@@ -67,6 +67,5 @@ def _simplex(options: argparse.Namespace) -> Answer:
 
 
 def _table(options: argparse.Namespace) -> Answer:
-    return Answer(
-        table(options.number, options.max_dim).render(options.format, options.digits, options.exact)
-    )
+    digits = checked_digits(options.digits)
+    return Answer(table(options.number, options.max_dim).render(options.format, digits, options.exact))

@@ -12,10 +12,10 @@ from numpy.typing import ArrayLike, NDArray
 
 from ..affine import CoxeterTriangulation, triangulation
 from ..errors import InvalidInput
-from .cells import cells_of, extended_cartan_matrix
+from .cells import cells_of
 from .frames import Frame, frame_of
 from .locating import NUMBERS, Locator
-from .rows import flood, in_order
+from .stars import star_round
 from .subgroups import Ints, Subgroup, subgroup
 
 Floats = NDArray[np.float64]
@@ -86,6 +86,13 @@ class Alcoves:
         matrix = self.triangulation.simplex.vertex_matrix
         return matrix.numerators.astype(np.int64) * (self.vertex_unit // matrix.denominator)
 
+    @cached_property
+    def _cartan(self) -> Ints:
+        """2 <n_k, n_j> / <n_k, n_k> for the normals n_k of the walls; the gradients are these times the marks."""
+        gram, marks = self.triangulation._gradient_gram.numerators, np.array(self.triangulation.marks)
+        squares = gram.diagonal()[:, None] * marks
+        return np.asarray(2 * gram * marks[:, None] // squares, dtype=np.int64)
+
     # -- simplices -------------------------------------------------------------------------------------------
 
     def vertices(self, keys: ArrayLike) -> Floats:
@@ -101,7 +108,7 @@ class Alcoves:
         """The keys (n, d + 1, ·) of the simplices across the facets; number k shares all vertices but one."""
         walls = map(self._subgroup.wall, range(self.dimension + 1))
         images = np.array([wall.reflect(self._centre, self.key_unit) for wall in walls])
-        shares = (1 - extended_cartan_matrix(self.triangulation)) * self._locator.shares_of_centre
+        shares = (1 - self._cartan) * self._locator.shares_of_centre
         return self._images(keys, images, shares, self.key_unit)
 
     def star(self, key: Sequence[int], label: int) -> Ints:
@@ -109,14 +116,7 @@ class Alcoves:
         if label not in range(self.dimension + 1):
             raise InvalidInput(f"{label!r} is no label: give an integer from 0 to {self.dimension}")
         check_count(self.meeting_at(label), self.dimension)
-        others = [k for k in range(self.dimension + 1) if k != label]
-
-        def around(keys: Ints) -> Ints:
-            return self.neighbours(keys)[:, others].reshape(-1, keys.shape[1])
-
-        found = flood(self._read([key]), around)
-        assert found is not None
-        return in_order(found)
+        return star_round(self, self.corners([key])[0], label)
 
     def meeting_at(self, label: int) -> int:
         """How many simplices share a vertex with that label: the order of its stabiliser."""
@@ -150,11 +150,11 @@ class Alcoves:
         return array.astype(np.int64 if largest < LARGEST_KEY else object)
 
 
-def check_count(count: float, d: int, what: str = "simplices") -> None:
-    """Refuse to look for more than fits in memory, by a lower bound for the count."""
+def check_count(count: float, d: int, words: str = "at least {} simplices", why: str = "") -> None:
+    """Refuse to look for more than fits in memory, by a bound for the count or an estimate."""
     if count * (d + 1) > LARGEST_ANSWER:
-        least = min(count, 10**300)
-        raise InvalidInput(f"there are at least {least:.3g} {what}: too many to hold; ask for fewer")
+        told = words.format(f"{min(count, 10**300):.3g}")
+        raise InvalidInput(f"there are {told}{why}: too many to hold; ask for fewer")
 
 
 def _whole(array: NDArray[Any]) -> bool:

@@ -8,6 +8,7 @@ from __future__ import annotations
 
 import math
 from dataclasses import dataclass
+from itertools import product
 from typing import Protocol
 
 import numpy as np
@@ -19,6 +20,12 @@ from .feasible import TINY, Flags, Floats, feasible
 
 SLACK = 2.0**-44
 """How much a region is enlarged, relative to the largest coordinate: 512 times the rounding of a float."""
+
+
+LONGEST = 1e150
+"""Longer chords are taken to be so long: then what is made of them stays a float."""
+MOST_SIGNS = 7
+"""Signs that are varied to find long diagonals."""
 
 
 class Region(Protocol):
@@ -36,8 +43,18 @@ class Region(Protocol):
     def sections(self) -> Floats:
         """The logarithms of the volumes of flat pieces of it, of dimension 1 to d; the last is all of it."""
 
+    @property
+    def chords(self) -> Floats:
+        """Differences (n, d) of some of its points that are far apart."""
+
+    def volume_within(self, by: float) -> float:
+        """The logarithm of the volume of all that lies within a positive distance."""
+
+    def scaled(self, by: float) -> Region:
+        """Made larger or smaller, about its centre."""
+
     def enlarged(self, by: float) -> Region:
-        """The same, with all that lies within a distance."""
+        """A region of the same kind that holds all that lies within a distance."""
 
     def reach(self, directions: Floats) -> Floats:
         """The maxima of <x, direction> over the region, for directions (..., d)."""
@@ -71,6 +88,28 @@ class Box:
         with np.errstate(divide="ignore"):
             return np.cumsum(np.log(2) + np.log(np.sort(self.half)[::-1]))
 
+    @property
+    def chords(self) -> Floats:
+        """Its edges and diagonals; of the latter some, in many dimensions."""
+        d = len(self.half)
+        signs = np.ones((2 ** min(d - 1, MOST_SIGNS), d))
+        signs[:, 1 : MOST_SIGNS + 1] = list(product([1, -1], repeat=min(d - 1, MOST_SIGNS)))
+        ways = np.concatenate([np.eye(d), signs])
+        return np.where(ways, 2 * np.minimum(self.half, LONGEST) * ways, 0)
+
+    def volume_within(self, by: float) -> float:
+        """The logarithm of its volume with all that lies within a distance, by Steiner's formula."""
+        d = len(self.half)
+        pieces = np.concatenate([[0.0], np.full(d, -np.inf)])  # of the faces at a vertex, by dimension
+        with np.errstate(divide="ignore"):
+            for length in np.log(2) + np.log(self.half):
+                pieces[1:] = np.logaddexp(pieces[1:], pieces[:-1] + length)
+        return float(np.logaddexp.reduce(pieces + np.concatenate([[0.0], balls(d, by)])[::-1]))
+
+    def scaled(self, by: float) -> Box:
+        """Made larger or smaller, about its centre."""
+        return Box(self.centre, self.half * by)
+
     def enlarged(self, by: float) -> Box:
         """A larger box."""
         return Box(self.centre, self.half + by)
@@ -97,7 +136,10 @@ class Box:
         half = self.half / unit
         lower = np.concatenate([-half - first, np.full((n, 1), -1.0), np.zeros((n, d))], axis=1)
         upper = np.concatenate([half - first, np.full((n, d + 1), np.inf)], axis=1)
-        return feasible(table, lower, upper)
+        _, reasons = feasible(table, lower, upper)
+        # Rounding may have led astray: a simplex is left out only if there is seen to be a plane between.
+        across = np.einsum("nkd,nd->nk", corners, reasons[:, :d])
+        return np.asarray(np.maximum(across.min(axis=1), -across.max(axis=1)) <= self.reach(reasons[:, :d]))
 
 
 @dataclass(frozen=True, eq=False)
@@ -127,6 +169,19 @@ class Ball:
     def sections(self) -> Floats:
         """The logarithms of the volumes of balls of dimension 1 to d."""
         return balls(len(self.centre), self.radius)
+
+    @property
+    def chords(self) -> Floats:
+        """Diameters."""
+        return 2 * min(self.radius, LONGEST) * np.eye(len(self.centre))
+
+    def volume_within(self, by: float) -> float:
+        """The logarithm of the volume with all that lies within a distance."""
+        return float(balls(len(self.centre), self.radius + by)[-1])
+
+    def scaled(self, by: float) -> Ball:
+        """Made larger or smaller, about its centre."""
+        return Ball(self.centre, self.radius * by)
 
     def enlarged(self, by: float) -> Ball:
         """A larger ball."""

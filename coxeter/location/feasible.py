@@ -64,22 +64,24 @@ class Systems:
         self.left[n, row], self.right[n, column], self.at_upper[n, column] = entering, leaving, change < 0
 
 
-def feasible(table: Any, lower: Floats, upper: Floats) -> Flags:
+def feasible(table: Any, lower: Floats, upper: Floats) -> tuple[Flags, Floats]:
     """Which of n systems lower <= (table · t, t) <= upper, with lower bounds 0 of t, have a solution.
 
     The simplex method of Dutertre and de Moura (*A fast linear-arithmetic solver for DPLL(T)*, 2006). Of the
     dependent variables one that is out of bounds is exchanged for an independent one that can make up for it.
-    If there is none, there is no solution.
+    If there is none, there is no solution: the sum of the variables with certain coefficients, which are the
+    other answer, is always 0, and cannot be within the bounds.
 
     >>> once = np.ones((2, 1, 1))
-    >>> feasible(once, np.array([[2.0, 0], [2, 0]]), np.array([[9.0, 3], [9, 1]])).tolist()
-    [True, False]
+    >>> found, reasons = feasible(once, np.array([[2.0, 0], [2, 0]]), np.array([[9.0, 3], [9, 1]]))
+    >>> found.tolist(), reasons[1].tolist()
+    ([True, False], [1.0, -1.0])
     """
     n, r, c = table.shape
     names = np.tile(np.arange(r + c), (n, 1))
     at_upper = np.zeros((n, c), dtype=np.bool_)
     now = Systems(table, lower, upper, np.zeros((n, r)), at_upper, names[:, :r].copy(), names[:, r:].copy())
-    result, left = np.zeros(n, dtype=np.bool_), np.arange(n)
+    result, reasons, left = np.zeros(n, dtype=np.bool_), np.zeros((n, r + c)), np.arange(n)
     for step in range(1000 * (r + c)):
         all_of, bland = np.arange(len(left)), step > HEURISTIC * (r + c)
         lack = np.take_along_axis(now.lower, now.left, 1) - now.values
@@ -93,8 +95,11 @@ def feasible(table: Any, lower: Floats, upper: Floats) -> Flags:
         gain = np.where(now.at_upper ^ (change > 0)[:, None], 1, -1) * now.table[all_of, row]
         column = np.where(gain > TINY, -now.right if bland else gain, -np.inf).argmax(axis=1)
         go = np.flatnonzero(~done & (gain[all_of, column] > TINY))
+        stuck = np.flatnonzero(~done & (gain[all_of, column] <= TINY))
+        reasons[left[stuck, None], now.right[stuck]] = now.table[stuck, row[stuck]]
+        reasons[left[stuck], now.left[stuck, row[stuck]]] = -1
         if not len(go):
-            return result
+            return result, reasons
         now, left = now.some(go), left[go]
         now.exchange(row[go], column[go], change[go])
     raise AssertionError("the simplex method does not end")

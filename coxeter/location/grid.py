@@ -20,7 +20,8 @@ from .lazy import locate_lazily
 from .locating import NUMBERS, Found, as_floats, is_short, over_common_denominator, read
 from .location import Location
 from .patches import patch_in, patch_of
-from .regions import Star, classes_of, search, star_of
+from .regions import search
+from .stars import Star, classes_of, star_of
 from .subgroups import Ints
 
 Floats = NDArray[np.float64]

@@ -29,7 +29,7 @@ def patch_in(found: Search, oriented: bool = False) -> Mesh:
     """
     grid, few = found.grid, found.few()
     if few is not None:
-        return patch_of(grid, in_order(few), oriented)
+        return patch_of(grid, few, oriented)
     lattice, vectors, simplices = found.stars()
     keys = found.keys_of(lattice, vectors, simplices)
     star, d = grid._star, grid.dimension

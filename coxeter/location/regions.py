@@ -4,7 +4,9 @@ Why spreading from neighbour to neighbour finds all simplices that meet a compac
 them, a point of each in K, and next to these, at most ε away, points inside the two simplices such that the
 segment between misses all faces of codimension 2. It runs from neighbour to neighbour, and crosses each facet
 at most ε away from K. There are finitely many facets near K, so those that come that near for all ε > 0 meet
-K. Each simplex on the way has such a facet, or is one of the two: it meets K.
+K. Each simplex on the way has such a facet, or is one of the two: it meets K. So only those facets need be
+crossed whose walls meet K. The search starts from many points of K at once: so few steps do, also in a box
+that is long and thin.
 
 A larger patch is made of *stars*. Vertex 0 of each simplex is a vector of the coroot lattice L; the simplices
 round a vector are those round 0, one for each element of the Weyl group, moved by it. Neighbours have the
@@ -16,144 +18,98 @@ vectors may be entered as are no farther from K than the longest edge at vertex 
 from __future__ import annotations
 
 import math
-from collections.abc import Callable, Iterator
+from collections.abc import Iterator
 from dataclasses import dataclass
-from functools import cached_property
+from functools import cached_property, partial
 from typing import TYPE_CHECKING
 
 import numpy as np
 
 from .alcoves import LARGEST_ANSWER, check_count
-from .convex import SLACK, Region, balls, meets
+from .bounds import at_least, quick, vectors_near
+from .convex import SLACK, Region, meets
 from .feasible import Flags, Floats
-from .rows import codes, distinct, flood, in_order
+from .interpolation import vertices_of
+from .rows import codes, distinct, flood
+from .stars import orbit
 from .subgroups import Ints
 
 if TYPE_CHECKING:
     from .grid import Grid
 
-LARGEST_STAR = 60_000
+LARGEST_STAR = 3_000_000
 """Stars of more simplices are not made: then neighbours lead to neighbours, however many there are."""
+SPARSE = 256
+"""Where fewer than one in so many simplices of the stars meets the region, neighbours are faster."""
+SAMPLE = 1 << 14
+"""By about so many simplices it is estimated how many more there are."""
+LARGEST_WORK = 2**31
+"""So many vertices are looked at, at most, to find those in a region."""
 BLOCK = 1 << 18
-"""So many simplices at a time are held in intermediate arrays."""
-
-
-@dataclass(frozen=True, eq=False)
-class Star:
-    """The simplices round the origin, and what they share.
-
-    Attributes
-    ----------
-    keys
-        Those of the n simplices.
-    points, corners
-        Their vertices, each once, times the unit; and which of them a simplex has, shape (n, d + 1).
-    normals, sides
-        The gradients of their barycentric coordinates in R^d, each once; and which a simplex has.
-    """
-
-    keys: Ints
-    points: Ints
-    corners: Ints
-    normals: Floats
-    sides: Ints
-
-
-def star_of(grid: Grid) -> Star:
-    """The simplices round the origin."""
-    keys = orbit(grid, grid._centre, grid.key_unit)
-    points, corners = distinct(grid.corners(keys))
-    gram = grid.triangulation._gradient_gram
-    gradients, sides = distinct(gram.numerators @ points[corners])
-    normals = grid.frame.turned(gradients / (gram.denominator * grid.vertex_unit)) / grid.frame.scale**2
-    return Star(keys, points, corners, normals, sides)
-
-
-def gradients_of(grid: Grid, corners: Floats) -> Floats:
-    """The gradients (n, d + 1, d) of the barycentric coordinates of simplices given by their corners.
-
-    As the sum of gradient_k ⊗ corner_k is the identity, gradient_j is that of <gradient_j, gradient_k>
-    corner_k.
-    """
-    gram = grid.triangulation._gradient_gram
-    matrix = (gram.numerators / gram.denominator).astype(np.float64) / grid.frame.scale**2
-    return np.asarray(matrix @ (corners - corners[:, :1]))
-
-
-def classes_of(grid: Grid) -> list[Ints]:
-    """For each label its vertices, times the unit, up to the coroot lattice: images under the Weyl group."""
-    t, unit = grid.triangulation, grid.vertex_unit
-    simple, coweights = t.roots.simple_roots, t.roots.fundamental_coweights
-    squares = (simple.numerators**2).sum(axis=1) // simple.denominator**2
-    weights = coweights.numerators * squares[:, None]
-
-    def coordinates(rows: Ints) -> Ints:
-        """In the basis of simple coroots, modulo 1."""
-        return np.asarray(rows @ weights.T % (2 * coweights.denominator * unit))
-
-    return [orbit(grid, row, unit, coordinates) for row in grid._corners]
-
-
-def orbit(grid: Grid, row: Ints, unit: int, same: Callable[[Ints], Ints] | None = None) -> Ints:
-    """The images of a row under the Weyl group; of those that are the same, one."""
-    walls = [grid._subgroup.wall(k) for k in range(1, grid.dimension + 1)]
-
-    def mirrored(rows: Ints) -> Ints:
-        return np.concatenate([wall.reflect(rows, unit) for wall in walls])
-
-    found = flood(row[None], mirrored, same=same)
-    assert found is not None
-    return found
-
-
-# -- searching ----------------------------------------------------------------------------------------------
+"""So many simplices, or numbers, at a time are held in intermediate arrays."""
+SEEDS = 1 << 14
+"""A search starts from so many points at most,"""
+APART = 8
+"""and they are so many longest edges apart, at least."""
 
 
 @dataclass(frozen=True, eq=False)
 class Search:
-    """A grid, and a region in it that is enlarged by what rounding needs."""
+    """A grid, and a region in it that is enlarged by the slack, for what rounding does.
+
+    Rows, in the coordinates of the roots times the unit, are seen from a lattice vector in the middle of the
+    region: so they are small, and the floats made of them as good far out as near the origin.
+    """
 
     grid: Grid
     region: Region
+    slack: float
 
     def keys(self) -> Ints:
         """The keys of the simplices that meet the region, in lexicographic order."""
         found = self.few()
         if found is None:
             found = self.keys_of(*self.stars())
-        return in_order(found)
-
-    def few(self) -> Ints | None:
-        """The same in any order, from neighbour to neighbour; None if stars are better."""
-        grid, order = self.grid, self.grid.triangulation.roots.weyl_group_order
-        check_count(self.at_least(), grid.dimension)
-        if order <= LARGEST_STAR:
-            return flood(self._middle, self._around, self._meets, limit=order)
-        inside = self.region.distance(self._place(grid.corners(self._middle)[0])) == 0
-        check_count(max(map(grid.meeting_at, np.flatnonzero(inside).tolist()), default=1), grid.dimension)
-        limit = LARGEST_ANSWER // (grid.dimension + 1)
-        found = flood(self._middle, self._around, self._meets, limit=limit)
-        if found is None:
-            check_count(limit + 1, grid.dimension)
+            found = found[np.argsort(codes(found))]
         return found
 
-    def at_least(self) -> float:
-        """A lower bound for the number of simplices that meet the region.
+    def few(self) -> Ints | None:
+        """The same, from neighbour to neighbour; None if stars are better."""
+        order = min(self.grid.triangulation.roots.weyl_group_order, 10**300)
+        self._check(at_least(self.grid, self.region, self.slack))
+        limit, most = LARGEST_ANSWER // (self.grid.dimension + 1), vectors_near(self.grid, self.region) * order
+        if most > limit:
+            self._check(self.estimate() / 2, "about {} simplices")
+        if order <= LARGEST_STAR:
+            return self.spread(int(min(limit, max(most / SPARSE, BLOCK / 64))))
+        found = self.spread(limit)
+        if found is None:
+            self._check(limit + 1)
+        return found
 
-        A flat piece of dimension k has at most the volume of a k-ball in common with a simplex whose diameter
-        is the longest edge, as that is the diameter of the simplex (isodiametric inequality).
-        """
-        simplex, scale, d = self.grid.triangulation.simplex, self.grid.frame.scale, self.grid.dimension
-        largest = balls(d, scale * float(simplex.longest_edge) / 2)
-        if volume := float(simplex.volume):  # else it is too small for a float
-            largest[-1] = math.log(volume) + d * math.log(scale)
-        return math.exp(min((self.region.sections - largest).max(), 690))
+    def estimate(self) -> float:
+        """About how many simplices meet the region, and rather less: by how fast they become more in a part of
+        it that grows."""
+        part, counts = 1.0, [1]
+        while part > 2.0**-1000 and quick(self.grid, self._part(part).region) > 8:
+            part /= 2
+        while part < 1 and (found := self._part(part).spread(SAMPLE)) is not None:
+            counts.append(len(found))
+            part *= 2
+        if part == 1:
+            return 1.0
+        growth = math.log2(counts[-1] / counts[-2]) if len(counts) > 2 else 0.0
+        return counts[-1] * 2.0 ** min(-growth * (math.log2(part) - 1), 1000.0)
+
+    def _part(self, part: float) -> Search:
+        """The region made smaller about its centre."""
+        return Search(self.grid, self.region.enlarged(-self.slack).scaled(part).enlarged(self.slack), self.slack)
 
     def stars(self) -> tuple[Ints, Ints, Ints]:
         """Vectors of L, and of each simplex that meets the region the number of its vertex 0 and its own."""
         lattice = self.lattice()
         vectors, simplices = zip(*self._blocks(lattice), strict=True)
-        return lattice, np.concatenate(vectors), np.concatenate(simplices)
+        return lattice + self._origin[0], np.concatenate(vectors), np.concatenate(simplices)
 
     def keys_of(self, lattice: Ints, vectors: Ints, simplices: Ints) -> Ints:
         """The keys of what `stars` gives."""
@@ -161,27 +117,128 @@ class Search:
         return np.asarray(self.grid._star.keys[simplices] + moved[vectors])
 
     def lattice(self) -> Ints:
-        """Vectors of L, times the unit: all that are vertex 0 of a simplex meeting the region, and more."""
+        """Vectors of L, seen from the middle: all that are vertex 0 of a simplex meeting the region, and more."""
         grid, unit = self.grid, self.grid.vertex_unit
-        order = min(grid.triangulation.roots.weyl_group_order, 10**300)
-        check_count(self.at_least() / order, grid.dimension, "vertices")  # each is vertex 0 of so many
-        steps = orbit(grid, grid._subgroup.wall(0).reflect(0 * grid._centre, unit), unit)
-        edges = np.linalg.norm(grid.frame.turned(grid._corners / unit), axis=1)
-        wider = self.region.enlarged(float(edges.max()))
+        self._check(vectors_near(grid, self.region), "about {} vertices with label 0 near it")
+        walls = [grid._subgroup.wall(k) for k in range(grid.dimension + 1)]
+        step = walls[0].reflect(0 * grid._centre, unit)
+        steps = orbit(step, [partial(wall.reflect, unit=unit) for wall in walls[1:]])
+        longest = np.linalg.norm(grid.frame.turned(grid._corners / unit), axis=1).max()
 
         def around(rows: Ints) -> Ints:
-            return np.concatenate([rows + step for step in steps])
+            return np.reshape(rows[:, None] + steps, (-1, rows.shape[1]))
 
         def near(rows: Ints) -> Flags:
-            return np.asarray(wider.distance(self._place(rows)) == 0)
+            return np.asarray(self.region.distance(self._place(rows)) <= longest * (1 + SLACK))
 
-        found = flood(grid.corners(self._middle)[:, 0], around, near)
+        start = distinct(grid.corners(self._seeds)[:, 0] - self._origin[0])[0]
+        found = flood(start.astype(np.int64), around, near)
         assert found is not None
         return found
 
     def vertices(self) -> tuple[Ints, Ints]:
         """The vertices in the region, times the unit, in lexicographic order; and their labels."""
-        lattice, rows, labels = self.lattice(), [], []
+        grid, d = self.grid, self.grid.dimension
+        order = grid.triangulation.roots.weyl_group_order
+        each = sum(order // grid.meeting_at(k) for k in range(d + 1))
+        work = vectors_near(grid, self.region) * min(each, 10**300)
+        limit = int(max(work / SPARSE / 8, BLOCK / 64)) if work <= LARGEST_WORK else BLOCK // 4
+        if at_least(grid, self.region, self.slack) <= limit and (keys := self.spread(limit)) is not None:
+            found = vertices_of(grid, keys)[0]
+            inside = self.region.distance(self._place(found.keys - self._origin[0])) == 0
+            return found.keys[inside], found.labels[inside]
+        self._check(work * (d + 1) * LARGEST_ANSWER / LARGEST_WORK, "about {} vertices near it")
+        return self._among(self.lattice())
+
+    def spread(self, limit: int) -> Ints | None:
+        """From neighbour to neighbour, unless they are too many. A row has a key and the corners."""
+        keys, (vector, moved) = self._seeds, self._origin
+        corners = (self.grid.corners(keys) - vector).reshape(len(keys), -1)
+        rows = np.concatenate([keys - moved, corners], axis=1).astype(np.int64)
+        found = flood(rows, self._across, self._meets, keys.shape[1], limit)
+        return None if found is None else found + moved
+
+    # -- the parts of a search ----------------------------------------------------------------------------
+
+    @cached_property
+    def _seeds(self) -> Ints:
+        """The keys of simplices that hold points of the region, about evenly spread."""
+        half, centre = self.region.half, self.region.centre
+        step = APART * self.grid.frame.scale * float(self.grid.triangulation.simplex.longest_edge)
+        while np.prod(np.ceil(2 * half / step)) > SEEDS:
+            step *= 1.25
+        points = np.zeros((1, len(half)))
+        for k, n in enumerate(np.ceil(2 * half / step).astype(int)):
+            if n > 1:
+                points = np.repeat(points, n, axis=0)
+                points[:, k] = np.tile(half[k] * np.arange(1 - n, n, 2) / n, len(points) // n)
+        points = points[self.region.distance(points) == 0]
+        return distinct(self.grid.locate(np.concatenate([centre[None], centre + points])).keys)[0]
+
+    @cached_property
+    def _origin(self) -> tuple[Ints, Ints]:
+        """A vector of L near the centre of the region, times the unit of vertices, and times that of keys."""
+        grid = self.grid
+        vector = grid.corners(grid.locate(self.region.centre[None]).keys)[0, 0]
+        return vector, vector * grid.key_unit // grid.vertex_unit
+
+    @cached_property
+    def _shift(self) -> Floats:
+        """Where that vector lies, seen from the centre of the region."""
+        vector = (self._origin[0] / self.grid.vertex_unit).astype(np.float64)
+        return np.asarray(self.grid.frame.outward(vector) - self.region.centre)
+
+    def _place(self, rows: Ints) -> Floats:
+        """Where vectors (times the unit, seen from the one in the middle) lie, seen from the centre."""
+        return np.asarray(self.grid.frame.turned(rows / self.grid.vertex_unit) + self._shift)
+
+    def _check(self, count: float, words: str = "at least {} simplices") -> None:
+        """Refuse to look for more than fits in memory."""
+        largest, scale = self.slack / SLACK, self.grid.frame.scale
+        why = f" (rounding leaves {self.slack:.2g} open at coordinates up to {largest:.3g})"
+        check_count(count, self.grid.dimension, words, why if self.slack > scale / 16 else "")
+
+    @cached_property
+    def _mirrors(self) -> tuple[Floats, Floats]:
+        """For facet j coefficients of the corners, whose sum is twice the height of corner j as a vector; and
+        what makes it the gradient of barycentric coordinate j."""
+        gram, scale = self.grid.triangulation._gradient_gram, self.grid.frame.scale
+        squares = gram.numerators.diagonal()
+        factors = squares / gram.denominator / (2 * self.grid.vertex_unit * scale**2)
+        return (2 * gram.numerators / squares[:, None]).astype(np.float64), factors.astype(np.float64)
+
+    def _shape(self, corners: Ints) -> tuple[Floats, Floats, Floats]:
+        """Where corners (n, d + 1, m) lie, the heights, doubled, and the gradients."""
+        matrix, factors = self._mirrors
+        heights = np.rint(matrix @ (corners - corners[:, :1]))
+        return self._place(corners), heights, self.grid.frame.turned(heights) * factors[:, None]
+
+    def _meets(self, rows: Ints) -> Flags:
+        d, m = self.grid.dimension, len(self.grid._centre)
+        size, result = max(1, BLOCK // rows.shape[1]), np.zeros(len(rows), dtype=np.bool_)
+        for start in range(0, len(rows), size):
+            part = rows[start : start + size, m:].reshape(-1, d + 1, m)
+            corners, _, gradients = self._shape(part)
+            result[start : start + size] = meets(self.region, corners, gradients)
+        return result
+
+    def _across(self, rows: Ints) -> Ints:
+        """The simplices across those facets whose walls meet the region."""
+        d, m, grid = self.grid.dimension, len(self.grid._centre), self.grid
+        size, found, marks = max(1, BLOCK // rows.shape[1]), [rows[:0]], np.array(grid.triangulation.marks)
+        for part in (rows[i : i + size] for i in range(0, len(rows), size)):
+            place, heights, gradients = self._shape(part[:, m:].reshape(-1, d + 1, m))
+            levels = np.abs(1 - (gradients * place).sum(axis=2))
+            n, j = np.nonzero(levels <= self.region.reach(gradients))
+            new, step = part[n], heights[n, j].astype(np.int64)
+            new[:, :m] -= 12 * marks[j, None] * step // grid.vertex_unit
+            new[:, m:].reshape(-1, d + 1, m)[np.arange(len(n)), j] -= step
+            found.append(new)
+        return np.concatenate(found)
+
+    def _among(self, lattice: Ints) -> tuple[Ints, Ints]:
+        """The vertices in the region, from vectors seen from the middle, and from classes."""
+        rows, labels = [], []
         for k, shifts in enumerate(self.grid._classes):
             unmoved = self.grid.frame.turned(shifts / self.grid.vertex_unit)
             size = max(1, BLOCK // len(shifts))
@@ -190,26 +247,9 @@ class Search:
                 vectors, chosen = np.nonzero(inside)
                 rows.append(part[vectors] + shifts[chosen])
                 labels.append(np.full(len(chosen), k))
-        found = np.concatenate(rows)
+        found = np.concatenate(rows) + self._origin[0]
         order = np.argsort(codes(found))
         return found[order], np.concatenate(labels)[order]
-
-    @cached_property
-    def _middle(self) -> Ints:
-        """The key of a simplex that holds the centre."""
-        return self.grid.locate(self.region.centre[None]).keys
-
-    def _place(self, rows: Ints) -> Floats:
-        """Where vectors (times the unit) lie, seen from the centre of the region."""
-        places: Floats = self.grid.frame.outward(rows / self.grid.vertex_unit) - self.region.centre
-        return places
-
-    def _around(self, keys: Ints) -> Ints:
-        return np.reshape(self.grid.neighbours(keys), (-1, keys.shape[1]))
-
-    def _meets(self, keys: Ints) -> Flags:
-        corners = self._place(self.grid.corners(keys))
-        return meets(self.region, corners, gradients_of(self.grid, corners))
 
     def _blocks(self, lattice: Ints) -> Iterator[tuple[Ints, Ints]]:
         """As `meets`, but simplices that share a corner or a gradient look at it once."""
@@ -240,4 +280,5 @@ def search(grid: Grid, region: Region) -> Search:
     """A region as it is searched."""
     largest = np.abs(region.centre).max() + region.reach(np.eye(grid.dimension)).max()
     offset = 0.0 if grid.frame.offset is None else np.abs(grid.frame.offset).max()
-    return Search(grid, region.enlarged(SLACK * float(max(largest, offset, grid.frame.scale))))
+    slack = SLACK * float(max(largest, offset, grid.frame.scale))
+    return Search(grid, region.enlarged(slack), slack)

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import logging
 from collections.abc import Callable
 from math import prod
 from typing import Any
@@ -11,8 +12,12 @@ from numpy.typing import NDArray
 
 from .subgroups import Ints
 
+LOG = logging.getLogger(__name__)
+"""It is told, at level INFO, how far a long search is."""
 LARGEST = 2**62
 """Codes stay below it, so that they are machine integers."""
+FEW = 1000
+"""Up to so many rows nobody asks whether some are there twice."""
 
 
 def codes(rows: NDArray[Any]) -> Ints:
@@ -95,10 +100,10 @@ def flood(
     start: Ints,
     around: Callable[[Ints], Ints],
     keep: Callable[[Ints], NDArray[np.bool_]] | None = None,
-    same: Callable[[Ints], Ints] | None = None,
+    leading: int | None = None,
     limit: int | None = None,
 ) -> Ints | None:
-    """All that can be reached from some rows by steps, in batches, breadth first.
+    """All that can be reached from some rows by steps, in batches, breadth first; in lexicographic order.
 
     Parameters
     ----------
@@ -108,20 +113,29 @@ def flood(
         The rows one step from any of some rows; a step can be taken back.
     keep
         Which rows may be entered; all by default.
-    same
-        Rows whose images under this are equal count as one.
+    leading
+        So many columns tell the rows apart, and are the answer; the others are carried along. All by default.
     limit
         When more than so many have been found, give up and return None.
     """
-    found = [start]
-    before = start[:0]
-    while len(edge := found[-1]):
+    found, before, edge = [start[:, :leading]], start[:0, :leading], start
+    count, looked, careful = len(start), 0, False
+    while len(edge):
         # A step back or aside leads to the last two layers: no others need be looked through.
-        rows = np.concatenate([before, edge, around(edge)])
-        first = np.unique(codes(same(rows) if same else rows), return_index=True)[1]
-        fresh = rows[np.sort(first[first >= len(before) + len(edge)])]
-        found.append(fresh if keep is None else fresh[keep(fresh)])
-        before = edge
-        if limit is not None and sum(map(len, found)) > limit:
+        names, rows = edge[:, :leading], around(edge)
+        old = np.concatenate([before, names])
+        first = np.unique(codes(np.concatenate([old, rows[:, :leading]])), return_index=True)[1]
+        fresh = rows[first[first >= len(old)] - len(old)]
+        edge, before = fresh if keep is None else fresh[keep(fresh)], old if careful else names
+        found.append(edge[:, :leading])
+        count += len(edge)
+        if limit is not None and count > limit:
             return None
-    return np.concatenate(found)
+        if not careful and count > 2 * looked + FEW:
+            # Unless `keep` has changed its mind, as rounding may: then a row entered late leads back.
+            LOG.info("%d found so far", count)
+            once = distinct(np.concatenate(found))[0]
+            careful, looked = len(once) < count, count
+            if careful:
+                found, before, count = [once], once, len(once)
+    return distinct(np.concatenate(found))[0]

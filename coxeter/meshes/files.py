@@ -4,9 +4,10 @@ from __future__ import annotations
 
 import io
 import os
+import shutil
 import warnings
 import zipfile
-from collections.abc import Iterator
+from collections.abc import Callable, Iterator
 from contextlib import contextmanager, redirect_stderr, redirect_stdout
 from pathlib import Path
 from tempfile import TemporaryDirectory
@@ -39,6 +40,8 @@ class Format(NamedTuple):
         Whether points of the plane stay so; else they get a third coordinate 0.
     options
         What meshio's writer is told.
+    buffered
+        Whether it is written to memory first: where the disk is full, the HDF5 library may crash.
     """
 
     name: str
@@ -48,6 +51,7 @@ class Format(NamedTuple):
     narrow: bool = False
     flat: bool = False
     options: tuple[tuple[str, Any], ...] = ()
+    buffered: bool = False
 
 
 ALL = ("point_data", "cell_data")
@@ -56,7 +60,7 @@ FORMATS = {
     ".vtu": Format("vtu", data=ALL),
     ".vtk": Format("vtk", data=ALL),
     ".xdmf": Format("xdmf", data=ALL, flat=True, options=(("data_format", "XML"),)),  # else a file beside it
-    ".med": Format("med", data=ALL, flat=True),
+    ".med": Format("med", data=ALL, flat=True, buffered=True),
     ".msh": Format("gmsh", data=ALL),
     ".off": Format("off", cells=(2,)),
     ".ply": Format("ply", cells=(2,), data=("point_data",), vectors=False, narrow=True),
@@ -76,6 +80,8 @@ CGNS is not among them: VTK cannot read what meshio writes as such.
 """
 UNREADABLE = (".svg", ".wkt")
 """Suffixes that meshio knows, and does not read or not in time."""
+TETGEN = (".node", ".ele")
+"""The two files of which a mesh of TetGen consists."""
 
 
 # -- reading ---------------------------------------------------------------------------------------------
@@ -106,7 +112,7 @@ def read_mesh(path: str | os.PathLike[str]) -> Mesh:
     Mesh(3 points in R^2, 1 cell of dimension 2)
     """
     path = Path(path)
-    if not path.is_file():
+    if not _asked(path, Path.is_file):
         raise InvalidInput(f"there is no file {path}")
     suffix = _suffix(path)
     if suffix == NPZ:
@@ -115,6 +121,8 @@ def read_mesh(path: str | os.PathLike[str]) -> Mesh:
     known = [x for x in meshio.extension_to_filetypes if x not in UNREADABLE]
     if suffix not in known:
         raise InvalidInput(f"{path} has no known suffix: there are {', '.join(sorted([*known, NPZ]))}")
+    if suffix in TETGEN:
+        _check_tetgen(path)
     with redirect_stdout(io.StringIO()) as said, redirect_stderr(said), warnings.catch_warnings():
         warnings.simplefilter("ignore")
         try:
@@ -126,6 +134,23 @@ def read_mesh(path: str | os.PathLike[str]) -> Mesh:
         return from_meshio(found)
     except InvalidInput as error:
         raise InvalidInput(f"{path}: {error}") from error
+
+
+def _asked(path: Path, question: Callable[[Path], bool]) -> bool:
+    """What the file system says of a path; it may refuse to, as where a folder must not be looked into."""
+    try:
+        return question(path)
+    except OSError as error:
+        raise InvalidInput(f"{path} cannot be used: {error.strerror}") from error
+
+
+def _check_tetgen(path: Path) -> None:
+    """Raise `InvalidInput` if one of TetGen's two files has no line, for which meshio would look forever."""
+    for part in map(path.with_suffix, TETGEN):
+        if _asked(part, Path.is_file) and not any(
+            line.strip() and line.strip()[:1] != b"#" for line in part.read_bytes().splitlines()
+        ):
+            raise InvalidInput(f"{path} cannot be read as {path.suffix}: {part} is empty")
 
 
 def _reason(error: Exception) -> str:
@@ -218,7 +243,10 @@ def write_mesh(mesh: Mesh, path: str | os.PathLike[str]) -> None:
     full = to_meshio(Mesh(mesh.points, mesh.cells, **kept), pad=not form.flat)
     meshio: Any = library("meshio")
     with _replacing(path) as new, redirect_stdout(io.StringIO()) as said, redirect_stderr(said):
-        meshio.write(new, full, file_format=form.name, **dict(form.options))
+        target: Any = io.BytesIO() if form.buffered else new
+        meshio.write(target, full, file_format=form.name, **dict(form.options))
+        if form.buffered:
+            new.write_bytes(target.getbuffer())
 
 
 def check_path(path: str | os.PathLike[str], d: int, m: int | None = None) -> None:
@@ -230,10 +258,14 @@ def check_path(path: str | os.PathLike[str], d: int, m: int | None = None) -> No
     fit = [x for x, form in FORMATS.items() if d in form.cells and d <= m <= 3] + [NPZ]
     if suffix not in fit:
         raise InvalidInput(f"{suffix} holds no {d}-simplices in R^{m}: write {', '.join(fit)}")
-    if path.is_dir():
+    if _asked(path, Path.is_dir):
         raise InvalidInput(f"{path} is a folder: give the name of a file")
-    if not path.resolve().parent.is_dir():
-        raise InvalidInput(f"there is no folder {path.parent} to write {path.name} to")
+    if not (folder := path.resolve().parent).is_dir():
+        raise InvalidInput(f"there is no folder {folder} to write {path.name} to")
+    if not os.access(folder, os.W_OK | os.X_OK):
+        raise InvalidInput(f"nothing may be written to the folder {folder}: give another one")
+    if path.exists() and not os.access(path, os.W_OK):
+        raise InvalidInput(f"{path} is write-protected: give another name")
     if suffix != NPZ:
         library("meshio")
 
@@ -267,13 +299,16 @@ def _replacing(path: Path) -> Iterator[Path]:
     """A path to write to, which takes the place of another when all is written, on disk, and only then.
 
     It lies in a folder of its own beside the other, so that nothing is left of a writer that stops half-way.
+    The new file has the permissions of the old one.
     """
     try:
-        with TemporaryDirectory(prefix=f".{path.name}.", dir=path.parent) as folder:
+        with TemporaryDirectory(prefix=".coxeter-", dir=path.parent) as folder:
             new = Path(folder) / path.name
             yield new
             with open(new, "rb+") as file:
                 os.fsync(file.fileno())
+            if path.exists():
+                shutil.copymode(path, new)
             os.replace(new, path)
     except InvalidInput:
         raise

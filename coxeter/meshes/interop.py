@@ -62,7 +62,8 @@ def _chosen(
     taken = left.pop(kind or "", 0)
     words = ", ".join(f"{n} of type {other}" for other, n in left.items())
     if not taken:
-        raise InvalidInput(f"there are neither triangles nor tetrahedra, only cells: {words or 'none'}")
+        others = f"; there are {words}" if words else ""
+        raise InvalidInput(f"there are no triangles or tetrahedra that can be read{others}")
     if words:
         warnings.warn(f"only cells of type {kind} were taken; left out: {words}", stacklevel=4)
     chosen = [(cells, data) for other, cells, data in full if other == kind]

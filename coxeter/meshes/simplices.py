@@ -141,6 +141,12 @@ class Simplices:
             return np.stack([_squares(self.corners[:, i] - self.corners[:, j]) for i, j in pairs], axis=1)
 
     @property
+    def squared_edge_lengths(self) -> Values:
+        """The squared distance of vertices i and j at [i, j], as a `Simplex` has it: (d + 1, d + 1, n)."""
+        points = self.corners.swapaxes(0, 1)
+        return self._known(_squares(points[:, None] - points).swapaxes(0, 2)).swapaxes(0, 2).view(Values)
+
+    @property
     def squared_longest_edge(self) -> Values:
         """L², shape (n,)."""
         return self._known(self._squared_edges.max(axis=1))

@@ -2,13 +2,15 @@
 
 from __future__ import annotations
 
+import traceback
+import warnings
 from collections.abc import Callable
 from dataclasses import dataclass
 from fractions import Fraction
 from functools import lru_cache
 from typing import Any, Generic, TypeVar, cast
 
-from ..errors import InvalidInput
+from ..errors import CoxeterError, InvalidInput
 from ..exact import Angle, Surd, surd
 from ..simplex import Simplex, regular_simplex
 
@@ -42,27 +44,87 @@ class Measure(Generic[V]):
     larger_is_better: bool = True
 
     def __call__(self, simplex: object) -> V:
-        """The raw measure of a simplex, or of the fundamental simplex of a triangulation."""
-        value: Any = self.of(shape := _simplex_of(simplex))
-        exact = isinstance(value, Angle) or not isinstance(shape, Simplex)
-        return cast("V", value if exact else surd(value))
+        """The raw measure of a simplex, or of the fundamental simplex of a triangulation.
+
+        Raises
+        ------
+        InvalidInput
+            If the function raises an error, or returns no exact number; `InexactInput` for a float.
+        """
+        shape = _simplex_of(simplex)
+        try:
+            value: Any = self.of(shape)
+        except (CoxeterError, MemoryError):
+            raise
+        except Exception as error:
+            raise InvalidInput(f"the measure {self.name!r} raised {_told(error, self.of)}") from error
+        if isinstance(value, Angle) or not isinstance(shape, Simplex):
+            return cast("V", value)
+        try:
+            return cast("V", surd(value))
+        except CoxeterError as error:
+            raise type(error)(f"the measure {self.name!r} gives no exact number: {error}") from error
 
     def normalized(self, simplex: object) -> V:
         """The measure divided by that of the regular simplex; to the power 1/d if `per_dimension`.
 
         If smaller raw values are better, it is that of the regular simplex divided by the measure. So larger
-        normalised values are better for every measure, and the regular simplex has 1.
+        normalised values are better for every measure, and the regular simplex has 1. Of a measure that
+        depends on the size of a simplex a warning says so.
 
+        Raises
+        ------
+        InvalidInput
+            If the measure is not positive of the regular simplex; or of this one, where smaller is better.
+
+        Examples
+        --------
         >>> from coxeter.quality import fatness
         >>> fatness.normalized(regular_simplex(5))
         1
         """
         shape = _simplex_of(simplex)
         value: Any = self(shape)
-        regular: Any = _of_regular_simplex(self, shape)
+        if isinstance(shape, Simplex):
+            regular: Any = self.norm(shape.dimension)
+            if not self.larger_is_better and value <= 0:
+                raise InvalidInput(
+                    f"the measure {self.name!r} is {value} of this simplex: where smaller is better, values "
+                    "must be positive to be normalised"
+                )
+        else:
+            regular = self(shape.regular)
         ratio = value / regular if self.larger_is_better else regular / value
         result: V = root(ratio, shape.dimension) if self.per_dimension else ratio
         return result
+
+    def norm(self, d: int) -> V:
+        """The measure of the regular d-simplex with edges √2, by which others are divided.
+
+        Raises
+        ------
+        InvalidInput
+            If it is not positive: then dividing by it would turn the order round, or is impossible.
+
+        Examples
+        --------
+        >>> from coxeter.quality import fatness
+        >>> fatness.norm(2)
+        sqrt(3)/4
+        """
+        value: Any = _of_regular(self, d)
+        if value <= 0:
+            raise InvalidInput(
+                f"the measure {self.name!r} is {value} of the regular {d}-simplex: to be normalised it must "
+                "be positive there"
+            )
+        if _depends_on_size(self, min(d, ENOUGH)):
+            warnings.warn(
+                f"the measure {self.name!r} depends on the size of a simplex, so normalised values compare "
+                "sizes too: divide by a power of a length, such as longest_edge",
+                stacklevel=3,
+            )
+        return cast("V", value)
 
     @property
     def normalized_symbol(self) -> str:
@@ -89,13 +151,29 @@ def _simplex_of(value: object) -> Any:
     return shape
 
 
-def _of_regular_simplex(measure: Measure[V], shape: Any) -> V:
-    return _of_regular(measure, shape.dimension) if isinstance(shape, Simplex) else measure(shape.regular)
-
-
 @lru_cache(maxsize=512)
 def _of_regular(measure: Measure[V], d: int) -> V:
     return measure(regular_simplex(d))
+
+
+ENOUGH = 12
+"""In a larger dimension no measure is tried on simplices of two sizes."""
+
+
+@lru_cache(maxsize=512)
+def _depends_on_size(measure: Measure[V], d: int) -> bool:
+    """Whether it has another value of the regular simplex twice as large; angles have not."""
+    value = _of_regular(measure, d)
+    twice = Simplex([[2 * x for x in u] for u in regular_simplex(d).vertices])
+    return not isinstance(value, Angle) and bool(measure(twice) != value)
+
+
+def _told(error: Exception, function: Any) -> str:
+    """An error in words, with the last line of the function's file that it came through."""
+    file = getattr(getattr(function, "__code__", None), "co_filename", None)
+    lines = [x for x in traceback.extract_tb(error.__traceback__) if x.filename == file]
+    place = f" ({file}, line {lines[-1].lineno})" if lines else ""
+    return " ".join(f"{type(error).__name__}: {error}".split()) + place
 
 
 MEASURES: dict[str, Measure[Surd]] = {}
