@@ -79,6 +79,8 @@ class Search:
         self._check(at_least(self.grid, self.region, self.slack))
         limit, most = LARGEST_ANSWER // (self.grid.dimension + 1), vectors_near(self.grid, self.region) * order
         if most > limit:
+            if (found := self.spread(SAMPLE)) is not None:
+                return found
             self._check(self.estimate() / 2, "about {} simplices")
         if order <= LARGEST_STAR:
             return self.spread(int(min(limit, max(most / SPARSE, BLOCK / 64))))

@@ -53,7 +53,8 @@ def star_of(grid: Grid) -> Star:
     gradients, side, turns = permuted(gram.numerators.astype(np.int64) @ grid._corners, mirrors)
     both = [np.concatenate([a, b + len(points)]) for a, b in zip(moves, turns, strict=True)]
     rows = images(np.concatenate([corner, side + len(points)]), both, corner[1:])
-    corners, sides = rows[:, :count], rows[:, count:] - len(points)
+    corners = np.asfortranarray(rows[:, :count])  # they are looked at by labels
+    sides = np.asfortranarray(rows[:, count:] - len(points))
     normals = grid.frame.turned(gradients / (gram.denominator * grid.vertex_unit)) / grid.frame.scale**2
     return Star(keys_of(grid, points, corners, 0 * points[0]), points, corners, normals, sides)
 
