@@ -88,7 +88,7 @@ class Alcoves:
 
     @cached_property
     def _cartan(self) -> Ints:
-        """2 <n_k, n_j> / <n_k, n_k> for the normals n_k of the walls; the gradients are these times the marks."""
+        """2 <n_k, n_j> / <n_k, n_k> for the normals n_k of the walls: gradients are normals times marks."""
         gram, marks = self.triangulation._gradient_gram.numerators, np.array(self.triangulation.marks)
         squares = gram.diagonal()[:, None] * marks
         return np.asarray(2 * gram * marks[:, None] // squares, dtype=np.int64)

@@ -77,7 +77,10 @@ class Search:
         """The same, from neighbour to neighbour; None if stars are better."""
         order = min(self.grid.triangulation.roots.weyl_group_order, 10**300)
         self._check(at_least(self.grid, self.region, self.slack))
-        limit, most = LARGEST_ANSWER // (self.grid.dimension + 1), vectors_near(self.grid, self.region) * order
+        most, limit = (
+            vectors_near(self.grid, self.region) * order,
+            LARGEST_ANSWER // (self.grid.dimension + 1),
+        )
         if most > limit:
             if (found := self.spread(SAMPLE)) is not None:
                 return found
@@ -90,8 +93,7 @@ class Search:
         return found
 
     def estimate(self) -> float:
-        """About how many simplices meet the region, and rather less: by how fast they become more in a part of
-        it that grows."""
+        """About how many simplices meet the region, rather less: by how fast a part that grows meets more."""
         part, counts = 1.0, [1]
         while part > 2.0**-1000 and quick(self.grid, self._part(part).region) > 8:
             part /= 2
@@ -101,11 +103,13 @@ class Search:
         if part == 1:
             return 1.0
         growth = math.log2(counts[-1] / counts[-2]) if len(counts) > 2 else 0.0
-        return counts[-1] * 2.0 ** min(-growth * (math.log2(part) - 1), 1000.0)
+        return float(counts[-1] * 2.0 ** min(growth * (1 - math.log2(part)), 1000.0))
 
     def _part(self, part: float) -> Search:
         """The region made smaller about its centre."""
-        return Search(self.grid, self.region.enlarged(-self.slack).scaled(part).enlarged(self.slack), self.slack)
+        return Search(
+            self.grid, self.region.enlarged(-self.slack).scaled(part).enlarged(self.slack), self.slack
+        )
 
     def stars(self) -> tuple[Ints, Ints, Ints]:
         """Vectors of L, and of each simplex that meets the region the number of its vertex 0 and its own."""
@@ -119,7 +123,7 @@ class Search:
         return np.asarray(self.grid._star.keys[simplices] + moved[vectors])
 
     def lattice(self) -> Ints:
-        """Vectors of L, seen from the middle: all that are vertex 0 of a simplex meeting the region, and more."""
+        """Vectors of L, seen from the middle: all that are vertex 0 of a simplex in question, and more."""
         grid, unit = self.grid, self.grid.vertex_unit
         self._check(vectors_near(grid, self.region), "about {} vertices with label 0 near it")
         walls = [grid._subgroup.wall(k) for k in range(grid.dimension + 1)]
