@@ -77,10 +77,8 @@ class Search:
         """The same, from neighbour to neighbour; None if stars are better."""
         order = min(self.grid.triangulation.roots.weyl_group_order, 10**300)
         self._check(at_least(self.grid, self.region, self.slack))
-        most, limit = (
-            vectors_near(self.grid, self.region) * order,
-            LARGEST_ANSWER // (self.grid.dimension + 1),
-        )
+        most = vectors_near(self.grid, self.region) * order
+        limit = LARGEST_ANSWER // (self.grid.dimension + 1)
         if most > limit:
             if (found := self.spread(SAMPLE)) is not None:
                 return found
