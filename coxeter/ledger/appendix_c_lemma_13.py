@@ -151,6 +151,8 @@ def parity(printed: Constants) -> Finding:
 
 MIDDLE: dict[str, Callable[[tuple[int, ...]], int]] = {
     "twice the sum of a_i a_j over i ≠ j": lambda a: 2 * sum(x * y for x, y in permutations(a, 2)),
-    "the sum of the a_i² plus the square of the sum of the a_i": lambda a: sum(x * x for x in a) + sum(a) ** 2,
+    "the sum of the a_i² plus the square of the sum of the a_i": lambda a: (
+        sum(x * x for x in a) + sum(a) ** 2
+    ),
 }
 """What the middle may be."""
