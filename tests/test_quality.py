@@ -1,5 +1,6 @@
 """The four measures, their normalisation, and measures that a user adds."""
 
+import warnings
 from fractions import Fraction
 from math import factorial
 
@@ -22,6 +23,7 @@ from coxeter import (
     regular_simplex,
     sqrt,
     thickness,
+    triangulation,
 )
 from coxeter.quality import find_measure
 
@@ -140,6 +142,51 @@ def test_a_measure_may_return_an_integer_but_no_float():
     assert ours(corner(2)) == 3
     with pytest.raises(InexactInput):
         theirs(corner(2))
+
+
+@pytest.mark.usefixtures("added")
+def test_a_measure_that_fails_is_named_with_its_line():
+    @measure("broken")
+    def broken(simplex):
+        return simplex.dimension // 0
+
+    with pytest.raises(
+        InvalidInput, match=r"'broken' raised ZeroDivisionError: .* \(.*test_quality.py, line \d"
+    ):
+        broken(corner(2))
+
+
+@pytest.mark.usefixtures("added")
+def test_a_measure_that_depends_on_size_says_so():
+    volume = measure("volume")(lambda simplex: simplex.volume)
+    with pytest.warns(UserWarning, match="'volume' depends on the size of a simplex"):
+        volume.normalized(corner(3))
+    with warnings.catch_warnings():
+        warnings.simplefilter("error")
+        in_the_plane = measure("only in the plane")(lambda simplex: simplex.volume / simplex.longest_edge**2)
+        in_the_plane.normalized(corner(2))
+        measure("angle")(lambda simplex: simplex.minimal_dihedral_angle).normalized(corner(3))
+        for known in MEASURES.values():
+            if known.name in FOUR:
+                known.normalized(corner(3))
+    with pytest.warns(UserWarning, match="only in the plane"):
+        in_the_plane.normalized(corner(3))
+
+
+@pytest.mark.usefixtures("added")
+def test_what_cannot_be_normalised_is_refused():
+    negative = measure("negative")(lambda simplex: -simplex.inradius / simplex.circumradius)
+    gap = measure("gap")(lambda simplex: simplex.maximal_dihedral_angle - simplex.minimal_dihedral_angle)
+    less = measure("less", larger_is_better=False)(
+        lambda simplex: simplex.shortest_edge / simplex.longest_edge - 1 / sqrt(3)
+    )
+    with pytest.raises(InvalidInput, match="'negative' is -1/3 of the regular 3-simplex"):
+        negative.normalized(corner(3))
+    with pytest.raises(InvalidInput, match="'gap' is 0 of the regular 3-simplex"):
+        gap.normalized(corner(3))
+    assert gap(triangulation("A~3")) == 30
+    with pytest.raises(InvalidInput, match="'less' is 0 of this simplex: where smaller is better"):
+        less.normalized(Simplex([(0, 0, 0), (1, 0, 0), (1, 1, 0), (1, 1, 1)]))
 
 
 @pytest.mark.parametrize("name", FOUR)

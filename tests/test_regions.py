@@ -14,10 +14,10 @@ from scipy.spatial import Delaunay, cKDTree
 from coxeter import triangulation
 from coxeter.errors import InvalidInput
 from coxeter.location import Grid
-from coxeter.location.convex import Ball, Box
 from coxeter.location.bounds import at_least
+from coxeter.location.convex import Ball, Box
 from coxeter.location.regions import search
-from coxeter.location.rows import addends, codes, distinct, flood, numbered
+from coxeter.location.rows import addends, codes, distinct, numbered
 
 FLAT = ["B~3", "C~2", "C~3"]
 """Their roots have d coordinates, so that boxes of R^d can be compared with exact vertices."""

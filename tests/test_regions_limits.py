@@ -122,9 +122,10 @@ def test_rows_that_are_refused_at_one_time_and_entered_at_another_are_found_once
 
 
 def test_what_is_carried_along_is_not_part_of_the_answer():
+    step = np.array([1, 3])
     found = flood(
         np.array([[0, 7]]),
-        lambda rows: np.concatenate([rows + [1, 3], rows - [1, 3]]),
+        lambda rows: np.concatenate([rows + step, rows - step]),
         lambda rows: rows[:, 0] ** 2 < 9,
         leading=1,
     )

@@ -1,4 +1,4 @@
-"""The shape of patches and stars: manifolds, Euler characteristics, volumes; in all families, turned at random."""
+"""The shape of patches and stars, turned at random: manifolds, Euler characteristics, volumes."""
 
 from itertools import combinations
 from math import factorial

@@ -110,12 +110,14 @@ def patches(found: Results) -> str:
 
 def large(found: Results) -> str:
     file, mega = found["file"], 1e6
+    held = {how: f"{file[how]['bytes'] / mega:.0f} MB" for how in ("chunks", "whole")}
+    took = {how: f"{file[how]['seconds']:.1f} s" for how in ("chunks", "whole")}
     said = (
         f"<p>{to_html(file['name'])}, {file['points']:,} points in a file of "
-        f"{file['file_bytes'] / mega:.0f} MB: in chunks of {file['chunk']:,} it took {file['chunks']['seconds']:.1f} s and at most "
-        f"{file['chunks']['bytes'] / mega:.0f} MB at a time, of which the points and answers of a chunk are "
-        f"{file['chunk'] * file['bytes_a_point'] / mega:.0f} MB. All at once it took "
-        f"{file['whole']['seconds']:.1f} s and {file['whole']['bytes'] / mega:.0f} MB.</p>"
+        f"{file['file_bytes'] / mega:.0f} MB. In chunks of {file['chunk']:,} it took {took['chunks']} and at "
+        f"most {held['chunks']} at a time; the points of a chunk and their answers are "
+        f"{file['chunk'] * file['bytes_a_point'] / mega:.0f} MB of these. "
+        f"All at once it took {took['whole']} and {held['whole']}.</p>"
     )
     if dask := found["dask"]:
         said += (

@@ -63,7 +63,7 @@
   const scale = (state) => measure(state)[state.raw ? "raw" : "normalised"];
   const first = (family) => data.families[family]?.first ?? data.single[family].d;
   const name = (family) => (data.families[family] ?? data.single[family]).name;
-  const typed = (family, d) => (family in data.families ? `${name(family)}<sub>${d}</sub>` : name(family).replace(/(\d)$/, "<sub>$1</sub>"));
+  const typed = (family, d) => (family in data.families ? `${name(family)}<sub>${d}</sub>` : name(family));
   const shown = (family, state) => state.families.includes(family in data.families ? family : "X");
   const entry = (family, d, state) => scale(state).values[family]?.[d - first(family)];
   const isScaled = (state) => state.scaled && Object.keys(scale(state).limits).length > 0;

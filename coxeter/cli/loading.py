@@ -45,7 +45,9 @@ def _registered_by(path: Path) -> list[str]:
     try:
         with tokenize.open(path) as file:
             source = file.read()
-    except (OSError, SyntaxError, UnicodeDecodeError) as error:
+    except OSError as error:
+        raise InvalidInput(f"--load {path}: {error.strerror}") from error
+    except (SyntaxError, UnicodeDecodeError) as error:
         raise InvalidInput(f"{path} cannot be read as Python: {error}") from error
     sys.path.insert(0, str(path.parent))
     try:

@@ -46,7 +46,8 @@ def lemma_13(printed: Constants) -> Finding:
 @claim("lem-13.reduction", "Appendix C, proof of Lemma 13", Weight.WORDING)
 @told
 def reduction(printed: Constants) -> Finding:
-    """It is enough to compare the squared distance of z from c with that of {second}, the vertex of z's class."""
+    """It is enough to compare the squared distance of z from c with that of {second}, the vertex of z's
+    class."""
     simplex = triangulation("A~2").simplex
     z, u = point(1, (-2, 1, 0)), simplex.vertex_matrix.row(1)
     between = sum((a + b) ** 2 for a, b in zip(z, u, strict=True))  # the core's u is minus the paper's
@@ -140,8 +141,8 @@ def parity(printed: Constants) -> Finding:
         return holds(EVERY_D, words)
     return corrected(
         EVERY_D,
-        "as integers, it is the sum of the a_i² plus the square of the sum of the a_i; both have the parity of "
-        "the sum of the a_i, so together they are even",
+        "as integers, it is the sum of the a_i² plus the square of the sum of the a_i; both have the parity "
+        "of the sum of the a_i, so together they are even",
         witness=f"for a = ({', '.join(map(str, a))}) the left side is {first_part[a]}, the right {middle(a)}",
         evidence="modulo 2 both sides vanish, so the conclusion stands; the sum over j begins at 0, where "
         "there is no a_0",
@@ -151,6 +152,8 @@ def parity(printed: Constants) -> Finding:
 
 MIDDLE: dict[str, Callable[[tuple[int, ...]], int]] = {
     "twice the sum of a_i a_j over i ≠ j": lambda a: 2 * sum(x * y for x, y in permutations(a, 2)),
-    "the sum of the a_i² plus the square of the sum of the a_i": lambda a: sum(x * x for x in a) + sum(a) ** 2,
+    "the sum of the a_i² plus the square of the sum of the a_i": lambda a: (
+        sum(x * x for x in a) + sum(a) ** 2
+    ),
 }
 """What the middle may be."""

@@ -88,7 +88,7 @@ class Alcoves:
 
     @cached_property
     def _cartan(self) -> Ints:
-        """2 <n_k, n_j> / <n_k, n_k> for the normals n_k of the walls; the gradients are these times the marks."""
+        """2 <n_k, n_j> / <n_k, n_k> for the normals n_k of the walls: gradients are normals times marks."""
         gram, marks = self.triangulation._gradient_gram.numerators, np.array(self.triangulation.marks)
         squares = gram.diagonal()[:, None] * marks
         return np.asarray(2 * gram * marks[:, None] // squares, dtype=np.int64)
@@ -115,7 +115,7 @@ class Alcoves:
         """The keys of all simplices that share a vertex of one of them, given by its label; in order."""
         if label not in range(self.dimension + 1):
             raise InvalidInput(f"{label!r} is no label: give an integer from 0 to {self.dimension}")
-        check_count(self.meeting_at(label), self.dimension)
+        check_count(self.meeting_at(label), LARGEST_ANSWER // (self.dimension + 1))
         return star_round(self, self.corners([key])[0], label)
 
     def meeting_at(self, label: int) -> int:
@@ -150,9 +150,9 @@ class Alcoves:
         return array.astype(np.int64 if largest < LARGEST_KEY else object)
 
 
-def check_count(count: float, d: int, words: str = "at least {} simplices", why: str = "") -> None:
+def check_count(count: float, most: float, words: str = "at least {} simplices", why: str = "") -> None:
     """Refuse to look for more than fits in memory, by a bound for the count or an estimate."""
-    if count * (d + 1) > LARGEST_ANSWER:
+    if count > most:
         told = words.format(f"{min(count, 10**300):.3g}")
         raise InvalidInput(f"there are {told}{why}: too many to hold; ask for fewer")
 

@@ -107,8 +107,8 @@ def _round_a_point(grid: Grid, region: Region) -> int:
 
 
 def _seen(grid: Grid, region: Region, where: Floats) -> tuple[Floats, Floats, Floats]:
-    """Of a simplex that holds a point of the region: the barycentric coordinates of the point, their gradients,
-    and the corners as seen from the centre."""
+    """For a point of the region its barycentric coordinates in a simplex that holds it, their gradients, and
+    the corners as seen from the centre."""
     shift = where * region.half
     corners = grid.vertices(grid.locate((region.centre + shift)[None]).keys)[0] - region.centre
     gram = grid.triangulation._gradient_gram

@@ -17,11 +17,14 @@ from scipy.special import gammaln
 
 from ..errors import InvalidInput
 from .feasible import TINY, Flags, Floats, feasible
+from .subgroups import Ints
 
 SLACK = 2.0**-44
 """How much a region is enlarged, relative to the largest coordinate: 512 times the rounding of a float."""
 
 
+THIN = 2.0**-10
+"""Extents of a box, compared with a simplex, that are looked at only where the others do not decide."""
 LONGEST = 1e150
 """Longer chords are taken to be so long: then what is made of them stays a float."""
 MOST_SIGNS = 7
@@ -123,8 +126,47 @@ class Box:
         return np.asarray(np.linalg.norm(np.maximum(np.abs(points) - self.half, 0), axis=-1))
 
     def touches(self, corners: Floats, gradients: Floats) -> Flags:
-        """Which simplices have a point in common with the box: a linear program for each, all at once."""
+        """Which simplices have a point in common with the box: a linear program for each, all at once.
+
+        Rounding may lead astray. So a simplex is left out only if there is seen to be a plane between.
+        """
         unit = np.abs(corners - corners[:, :1]).max(initial=0) or 1.0
+        thick = np.flatnonzero(self.half > THIN * unit)
+        result = np.ones(len(corners), dtype=np.bool_)
+        if len(thick) == len(self.half):
+            return ~self._apart(corners, self._by_corners(corners, unit))
+        sure, normals = self._by_levels(corners, gradients, thick)
+        result[:] = sure | ~self._apart(corners, normals)
+        rest = np.flatnonzero(result & ~sure)
+        result[rest] = ~self._apart(corners[rest], self._by_corners(corners[rest], unit))
+        return result
+
+    def _apart(self, corners: Floats, normals: Floats) -> Flags:
+        """Between which simplices and the box there is a plane with the given normal."""
+        across = np.einsum("nkd,nd->nk", corners, normals)
+        return np.asarray(np.maximum(across.min(axis=1), -across.max(axis=1)) > self.reach(normals))
+
+    def _by_levels(self, corners: Floats, gradients: Floats, thick: Ints) -> tuple[Flags, Floats]:
+        """Which simplices meet the box if it has no extent but in a few coordinates; or normals of planes.
+
+        The variables are these coordinates, where box and simplex have them in common; and the barycentric
+        ones, which must not be negative.
+        """
+        low, high = np.maximum(corners.min(axis=1), -self.half), np.minimum(corners.max(axis=1), self.half)
+        start = np.zeros_like(low)
+        start[:, thick] = low[:, thick]
+        levels = 1 + np.einsum("nkd,nkd->nk", gradients, start[:, None] - corners)
+        if not len(thick):
+            return np.asarray((levels >= 0).all(axis=1)), np.zeros_like(low)
+        span = np.maximum(high - low, 0)[:, thick]
+        unit = span.max(initial=0) or 1.0
+        lower = np.concatenate([-levels, np.zeros_like(span)], axis=1)
+        upper = np.concatenate([np.full_like(levels, np.inf), span / unit], axis=1)
+        result, reasons = feasible(gradients[:, :, thick] * unit, lower, upper)
+        return result, np.einsum("nk,nkd->nd", reasons[:, : levels.shape[1]], gradients)
+
+    def _by_corners(self, corners: Floats, unit: float) -> Floats:
+        """Normals of planes between, or zeros. The variables are shares of the corners."""
         start = self.distance(corners).argmin(axis=1)
         rows = np.arange(len(corners))[:, None]
         others = (start[:, None] + np.arange(1, corners.shape[1])) % corners.shape[1]
@@ -136,10 +178,7 @@ class Box:
         half = self.half / unit
         lower = np.concatenate([-half - first, np.full((n, 1), -1.0), np.zeros((n, d))], axis=1)
         upper = np.concatenate([half - first, np.full((n, d + 1), np.inf)], axis=1)
-        _, reasons = feasible(table, lower, upper)
-        # Rounding may have led astray: a simplex is left out only if there is seen to be a plane between.
-        across = np.einsum("nkd,nd->nk", corners, reasons[:, :d])
-        return np.asarray(np.maximum(across.min(axis=1), -across.max(axis=1)) <= self.reach(reasons[:, :d]))
+        return feasible(table, lower, upper)[1][:, :d]
 
 
 @dataclass(frozen=True, eq=False)

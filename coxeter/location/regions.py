@@ -39,8 +39,10 @@ if TYPE_CHECKING:
 
 LARGEST_STAR = 3_000_000
 """Stars of more simplices are not made: then neighbours lead to neighbours, however many there are."""
-SPARSE = 256
-"""Where fewer than one in so many simplices of the stars meets the region, neighbours are faster."""
+LARGEST_SEARCH = 2**34
+"""From neighbour to neighbour, no more simplices than this, over (d + 1)^3, are found."""
+SPARSE = 128
+"""Where of the stars' simplices one in so many times d meets the region, or fewer, neighbours are faster."""
 SAMPLE = 1 << 14
 """By about so many simplices it is estimated how many more there are."""
 LARGEST_WORK = 2**31
@@ -76,20 +78,23 @@ class Search:
     def few(self) -> Ints | None:
         """The same, from neighbour to neighbour; None if stars are better."""
         order = min(self.grid.triangulation.roots.weyl_group_order, 10**300)
-        self._check(at_least(self.grid, self.region, self.slack))
-        limit, most = LARGEST_ANSWER // (self.grid.dimension + 1), vectors_near(self.grid, self.region) * order
+        limit, least = self._limit, at_least(self.grid, self.region, self.slack)
+        most = vectors_near(self.grid, self.region) * order
+        self._check(least, limit)
+        if least <= SAMPLE and most > limit and (found := self.spread(SAMPLE)) is not None:
+            return found
         if most > limit:
-            self._check(self.estimate() / 2, "about {} simplices")
+            self._check(self.estimate() / 2, limit, "about {} simplices")
         if order <= LARGEST_STAR:
-            return self.spread(int(min(limit, max(most / SPARSE, BLOCK / 64))))
+            limit = int(min(limit, max(most / (SPARSE * self.grid.dimension), BLOCK / 64)))
+            return self.spread(limit) if least <= limit else None
         found = self.spread(limit)
         if found is None:
-            self._check(limit + 1)
+            self._check(limit + 1, limit)
         return found
 
     def estimate(self) -> float:
-        """About how many simplices meet the region, and rather less: by how fast they become more in a part of
-        it that grows."""
+        """About how many simplices meet the region, rather less: by how fast a part that grows meets more."""
         part, counts = 1.0, [1]
         while part > 2.0**-1000 and quick(self.grid, self._part(part).region) > 8:
             part /= 2
@@ -99,11 +104,13 @@ class Search:
         if part == 1:
             return 1.0
         growth = math.log2(counts[-1] / counts[-2]) if len(counts) > 2 else 0.0
-        return counts[-1] * 2.0 ** min(-growth * (math.log2(part) - 1), 1000.0)
+        return float(counts[-1] * 2.0 ** min(growth * (1 - math.log2(part)), 1000.0))
 
     def _part(self, part: float) -> Search:
         """The region made smaller about its centre."""
-        return Search(self.grid, self.region.enlarged(-self.slack).scaled(part).enlarged(self.slack), self.slack)
+        return Search(
+            self.grid, self.region.enlarged(-self.slack).scaled(part).enlarged(self.slack), self.slack
+        )
 
     def stars(self) -> tuple[Ints, Ints, Ints]:
         """Vectors of L, and of each simplex that meets the region the number of its vertex 0 and its own."""
@@ -117,9 +124,10 @@ class Search:
         return np.asarray(self.grid._star.keys[simplices] + moved[vectors])
 
     def lattice(self) -> Ints:
-        """Vectors of L, seen from the middle: all that are vertex 0 of a simplex meeting the region, and more."""
+        """Vectors of L, seen from the middle: all that are vertex 0 of a simplex in question, and more."""
         grid, unit = self.grid, self.grid.vertex_unit
-        self._check(vectors_near(grid, self.region), "about {} vertices with label 0 near it")
+        most = LARGEST_ANSWER // (grid.dimension + 1)
+        self._check(vectors_near(grid, self.region), most, "about {} vertices with label 0 near it")
         walls = [grid._subgroup.wall(k) for k in range(grid.dimension + 1)]
         step = walls[0].reflect(0 * grid._centre, unit)
         steps = orbit(step, [partial(wall.reflect, unit=unit) for wall in walls[1:]])
@@ -142,12 +150,12 @@ class Search:
         order = grid.triangulation.roots.weyl_group_order
         each = sum(order // grid.meeting_at(k) for k in range(d + 1))
         work = vectors_near(grid, self.region) * min(each, 10**300)
-        limit = int(max(work / SPARSE / 8, BLOCK / 64)) if work <= LARGEST_WORK else BLOCK // 4
+        limit = int(max(work / (SPARSE * 16), BLOCK / 64)) if work <= LARGEST_WORK else BLOCK // 4
         if at_least(grid, self.region, self.slack) <= limit and (keys := self.spread(limit)) is not None:
             found = vertices_of(grid, keys)[0]
             inside = self.region.distance(self._place(found.keys - self._origin[0])) == 0
             return found.keys[inside], found.labels[inside]
-        self._check(work * (d + 1) * LARGEST_ANSWER / LARGEST_WORK, "about {} vertices near it")
+        self._check(work, LARGEST_WORK, "about {} vertices near it")
         return self._among(self.lattice())
 
     def spread(self, limit: int) -> Ints | None:
@@ -192,11 +200,17 @@ class Search:
         """Where vectors (times the unit, seen from the one in the middle) lie, seen from the centre."""
         return np.asarray(self.grid.frame.turned(rows / self.grid.vertex_unit) + self._shift)
 
-    def _check(self, count: float, words: str = "at least {} simplices") -> None:
+    @property
+    def _limit(self) -> int:
+        """So many simplices fit in memory, also while they are looked for, with corners and neighbours."""
+        size = self.grid.dimension + 1
+        return min(LARGEST_ANSWER // size, LARGEST_SEARCH // size**3)
+
+    def _check(self, count: float, most: float, words: str = "at least {} simplices") -> None:
         """Refuse to look for more than fits in memory."""
         largest, scale = self.slack / SLACK, self.grid.frame.scale
         why = f" (rounding leaves {self.slack:.2g} open at coordinates up to {largest:.3g})"
-        check_count(count, self.grid.dimension, words, why if self.slack > scale / 16 else "")
+        check_count(count, most, words, why if self.slack > scale / 16 else "")
 
     @cached_property
     def _mirrors(self) -> tuple[Floats, Floats]:

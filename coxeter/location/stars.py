@@ -1,6 +1,6 @@
 """The simplices round a vertex, and what else is made of a few things by a finite group of reflections.
 
-The group permutes vertices, normals, and so on: few things. What is made of them, as a simplex of its vertices,
+The group permutes vertices, normals, and so on: few things. What is made of them, as a simplex of vertices,
 is a row of their numbers. The rows follow coset by coset, each a permutation of another: none is looked up.
 """
 
@@ -53,7 +53,8 @@ def star_of(grid: Grid) -> Star:
     gradients, side, turns = permuted(gram.numerators.astype(np.int64) @ grid._corners, mirrors)
     both = [np.concatenate([a, b + len(points)]) for a, b in zip(moves, turns, strict=True)]
     rows = images(np.concatenate([corner, side + len(points)]), both, corner[1:])
-    corners, sides = rows[:, :count], rows[:, count:] - len(points)
+    corners = np.asfortranarray(rows[:, :count])  # they are looked at by labels
+    sides = np.asfortranarray(rows[:, count:] - len(points))
     normals = grid.frame.turned(gradients / (gram.denominator * grid.vertex_unit)) / grid.frame.scale**2
     return Star(keys_of(grid, points, corners, 0 * points[0]), points, corners, normals, sides)
 
@@ -82,7 +83,7 @@ def keys_of(grid: Alcoves, points: Ints, corners: Ints, rest: Ints) -> Ints:
 
 
 def classes_of(grid: Grid) -> list[Ints]:
-    """For each label images of its vertex under the Weyl group, times the unit: one of each class modulo L."""
+    """For each label images of its vertex under the Weyl group, times the unit: one of each class mod L."""
     t = grid.triangulation
     simple, coweights = t.roots.simple_roots, t.roots.fundamental_coweights
     squares = (simple.numerators**2).sum(axis=1) // simple.denominator**2
@@ -143,8 +144,8 @@ def images(row: Ints, moves: list[Ints], witnesses: Ints) -> Ints:
     moves
         How mirrors that generate the group permute the things.
     witnesses
-        For each mirror a thing that it moves; those elements of the group of all mirrors so far that fix it are
-        the group of the mirrors before. So the images of the witness stand for cosets.
+        For each mirror a thing that it moves, and that in the group of all mirrors so far only the group of
+        those before fixes. So its images stand for cosets.
     """
     rows = row[None]
     for k, witness in enumerate(witnesses.tolist(), 1):

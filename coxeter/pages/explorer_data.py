@@ -11,6 +11,7 @@ from .misprints import Misprint
 from .naming import Site, name_of
 from .order_words import crossings, pairs_in_order
 from .qualities import MAX_DIM, MEASURES, Quality, qualities, ranking, rate, readable, rounded, scaled, short
+from .wording import BELOW
 
 SINGLE = tuple(x for x in FAMILIES if x not in MINIMAL_DIMENSION)
 """The types that belong to no infinite family."""
@@ -41,7 +42,7 @@ def explorer_data(wrong: Iterable[Misprint], site: Site) -> dict[str, Any]:
 
 def called(family: str) -> str:
     """A family as readers know it, with the tilde above the letter."""
-    return f"{family[0]}\N{COMBINING TILDE}{family[1:]}"
+    return f"{family[0]}\N{COMBINING TILDE}{family[1:].translate(BELOW)}"
 
 
 def _measure_data(measure: str) -> dict[str, Any]:

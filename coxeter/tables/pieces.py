@@ -17,7 +17,7 @@ TYPE = re.compile(r"\b([A-G])~_?(?:\{(\w+)\}|(\w+)\b)?(?!\w)")
 SET = re.compile(r"\\tilde\{([A-G])\}(?:_\{(\w+)\})?")
 SPACE = re.compile(r"\bR\^(?:\{([^{}]+)\}|(\w))")
 INDEX = re.compile(r"([A-Za-zλμσντρφ])_(?:\{([^{}]+)\}|(\w))(²?)(?![\w^])")
-REPEATED = re.compile(r"(?:\((-?\d+(?:/\d+)?)\)|(-?\d+(?:/\d+)?))\^\{([^{}]+)\}")
+REPEATED = re.compile(r"(?:\(((?:[^(),]|\([^(),]*\))+)\)|(-?\d+(?:/\d+)?))\^\{([^{}]+)\}")
 RUN = re.compile(r"(?<![\w$])[-(\w][\w+\-*/().]*(?: [+\-*/] ?[\w+\-*/().]+)*")
 """Where a formula in the library's notation may stand in a sentence."""
 
@@ -81,7 +81,7 @@ def _at(text: str, position: int) -> tuple[Piece, int] | None:
         return Piece("math", rf"\mathbb{{R}}^{{{match[1] or match[2]}}}"), match.end()
     if match := INDEX.match(text, position):
         return Piece("math", f"{match[1]}_{{{match[2] or match[3]}}}{'^2' * len(match[4])}"), match.end()
-    if match := REPEATED.match(text, position):
+    if (match := REPEATED.match(text, position)) and latex(match[1] or match[2]):
         return Piece("math", run_latex(match[1] or match[2], match[3])), match.end()
     if (match := RUN.match(text, position)) and (formula := _formula(match[0])):
         return Piece("math", str(latex(formula))), position + len(formula)
