@@ -68,8 +68,10 @@ def star_round(grid: Alcoves, corners: Ints, label: int) -> Ints:
     seen = (corners - corners[label]).astype(np.int64)
     mirrors = mirrors_of(grid, seen)
     points, corner, moves = permuted(seen, [mirrors[k] for k in others])
-    whole, rest = np.divmod(corners[label] * grid.key_unit, grid.vertex_unit)
-    keys = keys_of(grid, points, images(corner, moves, corner[others]), rest.astype(np.int64))
+    there = corners[label] * grid.key_unit
+    whole = there // grid.vertex_unit  # perhaps too large for int64, unlike what is left
+    rest = (there - whole * grid.vertex_unit).astype(np.int64)
+    keys = keys_of(grid, points, images(corner, moves, corner[others]), rest)
     return np.asarray(keys[np.argsort(codes(keys))] + whole)
 
 
