@@ -38,7 +38,8 @@ def patch_in(found: Search, oriented: bool = False) -> Mesh:
         return patch_of(grid, in_order(keys), oriented)
     order = np.argsort(codes(keys))
     vectors, simplices = vectors[order], simplices[order]
-    different, cells = numbered(numbers[0][vectors, None] + numbers[1][star.corners][simplices])
+    own = np.ascontiguousarray(numbers[1][star.corners])  # by simplices, as they are picked
+    different, cells = numbered(numbers[0][vectors, None] + own[simplices])
     owner = np.empty(len(different), dtype=np.int64)
     owner[cells] = np.arange(cells.size).reshape(cells.shape)
     cell, labels = np.divmod(owner, d + 1)
