@@ -73,6 +73,8 @@ def test_twenty_dimensions_take_seconds(capsys):
         (("--with", ""), "is no triangulation to compare with"),
         (("--format", "pdf"), "'pdf' is no format"),
         (("--digits", "-1"), "digits"),
+        (("--digits", "100000"), "100000 digits cannot be shown: give 0 to 1000"),
+        (("--max-dim", "41"), "leave it out by --with K1"),
     ],
 )
 def test_bad_input_is_one_sentence_and_status_2(capsys, arguments, words):

@@ -265,3 +265,62 @@ def test_a_bad_npz_is_named(capsys, tmp_path):
     status, _, err = run(capsys, "quality", tmp_path / "bad.npz")
     assert status == 2
     assert "bad.npz is no mesh: point 0 is" in err
+
+
+# -- what the shell may do -------------------------------------------------------------------------------
+
+
+def shell(folder, command):
+    command = command.replace("coxeter", f"{sys.executable} -m coxeter.cli")
+    done = subprocess.run(["sh", "-c", command], cwd=folder, capture_output=True, text=True, timeout=120)
+    return done.returncode, done.stdout, done.stderr
+
+
+MESH = "coxeter mesh A~2 --ball 0,0,1 -o out.vtu"
+
+
+def test_closed_and_full_outputs(tmp_path):
+    for closing in ("2>&-", ">&-", "2>&- >&-"):
+        assert shell(tmp_path, f"{MESH} {closing}")[0] == 0
+        (tmp_path / "out.vtu").unlink()
+    assert shell(tmp_path, "coxeter quality nothing.vtu 2>&-")[0] == 2
+    status, _, err = shell(tmp_path, "coxeter list > /dev/full")
+    assert (status, err.count("\n")) == (2, 1)
+    assert "No space left" in err
+
+
+def test_letters_that_the_output_does_not_know(square):
+    out = shell(square.parent, "PYTHONIOENCODING=ascii coxeter quality square.vtu --measure fatness")[1]
+    assert "..." in out
+    assert "####" in out
+
+
+@pytest.mark.parametrize("suffix", [".vtu", ".med", ".npz"])
+def test_a_full_disk_leaves_the_old_file(tmp_path, suffix):
+    (tmp_path / f"out{suffix}").write_text("the old file")
+    command = f"ulimit -f 1; coxeter mesh A~3 --ball 0,0,0,3 -o out{suffix}"
+    status, _, err = shell(tmp_path, f"export PYTHONDONTWRITEBYTECODE=1; {command}")
+    assert (status, err.count("\n")) == (2, 1)
+    assert "cannot be written: OSError" in err
+    assert [x.read_text() for x in tmp_path.iterdir()] == ["the old file"]
+
+
+def test_what_may_not_be_written_is_refused(capsys, tmp_path, monkeypatch):
+    path = tmp_path / "out.vtu"
+    path.write_text("the old file")
+    path.chmod(0o600)
+    assert run(capsys, *MESH.split()[1:-1], path)[0] == 0
+    assert path.stat().st_mode & 0o777 == 0o600
+    monkeypatch.setattr("os.access", lambda where, _: str(where) != str(path))
+    assert "write-protected" in run(capsys, *MESH.split()[1:-1], path)[2]
+    monkeypatch.setattr("os.access", lambda where, _: False)
+    assert "nothing may be written to the folder" in run(capsys, *MESH.split()[1:-1], path)[2]
+    assert "too long" in run(capsys, *MESH.split()[1:-1], tmp_path / f"{'a' * 300}.vtu")[2]
+
+
+def test_an_empty_file_of_tetgen_is_no_endless_search(capsys, tmp_path):
+    (tmp_path / "mesh.node").write_text("1 3 0 0\n0 0 0 0\n")
+    (tmp_path / "mesh.ele").write_text("# nothing\n")
+    status, _, err = run(capsys, "quality", tmp_path / "mesh.ele")
+    assert status == 2
+    assert "mesh.ele is empty" in err

@@ -19,6 +19,8 @@ if TYPE_CHECKING:
 
 LARGEST = 200
 """The last dimension of a table."""
+MOST_OF_D1 = 40
+"""The last in which D1 is compared: it has about d shapes, which beyond take many minutes."""
 
 
 def add_commands(commands: Commands) -> None:
@@ -51,6 +53,11 @@ def _compare(options: argparse.Namespace) -> Answer:
         raise InvalidInput(f"{options.max_dim} columns are too many for a table: give {LARGEST} or fewer")
     digits = checked_digits(options.digits)
     peers = [peer for peer in _peers(options.peers) if peer.low <= options.max_dim]
+    if options.max_dim > MOST_OF_D1 and any(peer.name == "D1" for peer in peers):
+        raise InvalidInput(
+            f"D1 takes too long beyond dimension {MOST_OF_D1}: give --max-dim {MOST_OF_D1}, or leave it out "
+            "by --with K1 or --with none"
+        )
     with measures_of(options.load) as loaded, warnings.catch_warnings(record=True) as notes:
         warnings.simplefilter("always")
         measure = find_measure(options.measure or _chosen(loaded))

@@ -18,6 +18,8 @@ SET = re.compile(r"\\tilde\{([A-G])\}(?:_\{(\w+)\})?")
 SPACE = re.compile(r"\bR\^(?:\{([^{}]+)\}|(\w))")
 INDEX = re.compile(r"([A-Za-zλμσντρφ])_(?:\{([^{}]+)\}|(\w))(²?)(?![\w^])")
 REPEATED = re.compile(r"(?:\(((?:[^(),]|\([^(),]*\))+)\)|(-?\d+(?:/\d+)?))\^\{([^{}]+)\}")
+POWER = re.compile(r"(?<=[a-z]{2})\^\((\w+/\w+)\)")
+"""A power of a word, as in ``fatness^(1/d)``."""
 RUN = re.compile(r"(?<![\w$])[-(\w][\w+\-*/().]*(?: [+\-*/] ?[\w+\-*/().]+)*")
 """Where a formula in the library's notation may stand in a sentence."""
 
@@ -41,6 +43,8 @@ def pieces(text: str) -> Iterator[Piece]:
     words: ', not '
     math: '\\frac{\\sqrt{3}}{2}'
     words: '.'
+    >>> list(pieces("fatness^(1/d)"))
+    [Piece(kind='words', text='fatness'), Piece(kind='math', text='{}^{1/d}')]
     """
     parts = text.split("$")
     if len(parts) % 2 == 0:  # a dollar that is none
@@ -72,6 +76,8 @@ def _plain(text: str) -> Iterator[Piece]:
 
 def _at(text: str, position: int) -> tuple[Piece, int] | None:
     """What stands at a position, if it is more than words, and where it ends."""
+    if match := POWER.match(text, position):
+        return Piece("math", f"{{}}^{{{match[1]}}}"), match.end()
     if position and (text[position - 1].isalnum() or text[position - 1] in "_^~"):
         return None
     if match := TYPE.match(text, position) or SET.match(text, position):
