@@ -4,7 +4,7 @@
 (() => {
   "use strict";
   const GLANCE = 2; // rows below the head
-  const OTHERS = ".lg-errata, .lg-sheet, .highlighttable, .indextable, .cx-no-download";
+  const OTHERS = ".lg-errata, .lg-sheet:not(.cx-numbers), .highlighttable, .indextable, .cx-no-download";
   const BOXES = ".table-box, .lg-scroll, .pst-scrollable-table-container";
   const SIGNS = {
     "–": "--", "—": "---", "…": "\\dots{}", "≥": "$\\geq$", "≤": "$\\leq$", "≈": "$\\approx$", "≠": "$\\neq$",
