@@ -43,7 +43,7 @@ window.probe = (() => {
   };
 
   /* Where formulas are set only when they come into view: bring a sample into view. */
-  const sampled = async (patience, size = 12) => {
+  const sampled = async (patience, size = 6) => {
     const waiting = all(".lg-tex").map((formula) => formula.closest(".lg-claim, .lg-item") ?? formula);
     const rows = [...new Set(waiting)];
     const step = Math.max(1, Math.floor(rows.length / size));
