@@ -16,6 +16,8 @@ from bs4 import BeautifulSoup, Tag
 
 ENOUGH_WORDS = 15
 NOTEBOOKS = "notebooks/"
+ADDRESSES = ("href", "src", "data", "poster", "xlink:href")
+SILENT = {"h1", "script", "style", "pre", "code"}
 LOADING_RELS = {"stylesheet", "preload", "modulepreload", "prefetch", "preconnect"} | {
     "dns-prefetch",
     "icon",
@@ -49,13 +51,17 @@ class Page:
 
     @cached_property
     def anchors(self) -> set[str]:
-        tags = self.soup.find_all(lambda tag: tag.has_attr("id") or tag.has_attr("name"))
-        return {str(tag.get(name)) for tag in tags for name in ("id", "name")} | {"", "top"}
+        named = (str(tag[name]) for tag in self.tags for name in ("id", "name") if name in tag.attrs)
+        return {"", "top", *named}
 
     def knows(self, fragment: str) -> bool:
         """Whether an address may end so: with a place on the page, or with what its controls are set to."""
         state = re.fullmatch(r"\w+=[^&=]+(&\w+=[^&=]+)*", fragment)
         return fragment in self.anchors or bool(state and self.soup.select_one(SETTABLE))
+
+    @cached_property
+    def tags(self) -> list[Tag]:
+        return self.soup.find_all(True)
 
     @cached_property
     def body(self) -> Tag:
@@ -119,9 +125,9 @@ class Site:
 
     def check_links(self, page: Page) -> None:
         """Every local address leads to a file, and its fragment to a place in it."""
-        for tag in page.soup.find_all(True):
-            for name in ("href", "src", "data", "poster", "xlink:href"):
-                address = str(tag.get(name, "")).strip()
+        for tag in page.tags:
+            for name in ADDRESSES:
+                address = str(tag.attrs.get(name, "")).strip()
                 parts = urlsplit(address)
                 if not address or parts.scheme or parts.netloc:
                     continue
@@ -145,8 +151,7 @@ class Site:
 
     def check_formulas(self, page: Page) -> None:
         """A page with formulas loads a renderer that is part of the site."""
-        text = " ".join(plain_words(page.body))
-        if not page.soup.select(".math") and r"\(" not in text and r"\[" not in text:
+        if not page.soup.select_one(".math") and not re.search(r"\\[(\[]", " ".join(plain_words(page.body))):
             return
         self.checked["pages with formulas"] += 1
         for script in page.soup.find_all("script", src=RENDERER):
@@ -192,9 +197,16 @@ def toc_files(node: object) -> Iterator[str]:
 
 def plain_words(body: Tag) -> list[str]:
     """The words of a page, without its title and its code."""
-    skip = ["h1", "script", "style", "pre", "code"]
-    texts = (text for text in body.find_all(string=True) if not text.find_parent(skip))
-    return " ".join(texts).split()
+    return " ".join(_texts(body)).split()
+
+
+def _texts(node: Tag) -> Iterator[str]:
+    """What a page says, down to whatever says something else."""
+    for child in node.children:
+        if not isinstance(child, Tag):
+            yield str(child)
+        elif child.name not in SILENT:
+            yield from _texts(child)
 
 
 def requests_of(soup: BeautifulSoup) -> Iterator[str]:
