@@ -8,6 +8,7 @@ import shutil
 import time
 
 import pytest
+from browse_chromium import ABSENT, find_chromium, one_chromium
 from hypothesis import HealthCheck, Phase, settings
 from run_notebooks import ROOT
 from synthetic import GOOD
@@ -48,6 +49,14 @@ def ledger() -> Ledger:
 @pytest.fixture(scope="session")
 def views(ledger: Ledger) -> Views:
     return Views(ledger)
+
+
+@pytest.fixture(scope="module")
+def browser():
+    if find_chromium() is None:
+        pytest.skip(ABSENT)
+    with one_chromium() as started:
+        yield started
 
 
 @pytest.fixture

@@ -5,7 +5,6 @@ import gzip
 import io
 import json
 import re
-import shutil
 from decimal import Decimal, localcontext
 from functools import cache
 from importlib.util import find_spec
@@ -15,7 +14,6 @@ from pathlib import Path
 import networkx
 import pytest
 from bs4 import BeautifulSoup
-from playwright.sync_api import sync_playwright
 from run_notebooks import ROOT
 
 import coxeter
@@ -401,11 +399,8 @@ def test_all_definitions_have_curves():
 
 
 @pytest.fixture(scope="module")
-def page(text, ledger, tmp_path_factory):
+def page(browser, text, ledger, tmp_path_factory):
     """The figure and the form, with nothing of the site around them."""
-    chromium = shutil.which("chromium")
-    if chromium is None:
-        pytest.skip("no browser: install chromium to operate the explorer")
     folder = tmp_path_factory.mktemp("explorer")
     static = ROOT / "book" / "_static"
     plotly = Path(find_spec("plotly").origin).parent / "package_data" / "plotly.min.js"
@@ -414,15 +409,12 @@ def page(text, ledger, tmp_path_factory):
     form = CHOICES["form"](ledger, SITE)
     style = f'<link rel="stylesheet" href="{(static / "explorer.css").as_uri()}">'
     (folder / "page.html").write_text(f'<meta charset="utf-8">{style}{scripts}<body>{text}{form}', "utf-8")
-    with sync_playwright() as driver:
-        browser = driver.chromium.launch(executable_path=chromium, args=["--no-sandbox", "--disable-gpu"])
-        opened = browser.new_page(viewport={"width": 375, "height": 812})
-        opened.errors = []
-        opened.on("pageerror", lambda error: opened.errors.append(str(error)))
-        opened.goto((folder / "page.html").as_uri() + "#measure=radius_ratio&families=B,C,D&max=12")
-        yield opened
-        assert opened.errors == []
-        browser.close()
+    opened = browser.new_page(viewport={"width": 375, "height": 812})
+    opened.errors = []
+    opened.on("pageerror", lambda error: opened.errors.append(str(error)))
+    opened.goto((folder / "page.html").as_uri() + "#measure=radius_ratio&families=B,C,D&max=12")
+    yield opened
+    assert opened.errors == []
 
 
 def summary(page, words):

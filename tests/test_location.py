@@ -4,6 +4,7 @@ from fractions import Fraction
 
 import numpy as np
 import pytest
+from askew import turned
 from hypothesis import given
 from hypothesis import strategies as st
 
@@ -44,13 +45,6 @@ def name(request):
 
 def some_points(name, n=200, spread=6.0, seed=0):
     return np.random.default_rng(seed).normal(size=(n, triangulation(name).dimension)) * spread
-
-
-def turned(name):
-    rng = np.random.default_rng(1)
-    d = triangulation(name).dimension
-    q, _ = np.linalg.qr(rng.normal(size=(d, d)))
-    return Grid(name, scale=0.37, rotation=q, offset=rng.normal(size=d))
 
 
 @pytest.mark.parametrize("make", [Grid, turned])

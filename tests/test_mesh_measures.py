@@ -217,15 +217,29 @@ def test_the_integral_for_the_regular_simplex_agrees_with_the_closed_form(d):
 
 
 @pytest.mark.parametrize(("d", "digits"), [(4, "0.0097846884"), (5, "0.0019220437"), (8, "0.0000083688")])
-def test_regular_shares(d, digits):
-    """Gram's relation for the regular 4-simplex, and SciPy's normal distribution for the others."""
-    import numpy as np
-    from scipy.stats import multivariate_normal
+def negative_orthant(d, correlation):
+    """The probability that d normal variables, equally correlated, are all negative.
 
-    assert regular_share(d).decimal(10) == digits
-    covariance = np.full((d, d), -1 / d) + (1 + 1 / d) * np.eye(d)
-    probability = multivariate_normal(np.zeros(d), covariance).cdf(np.zeros(d))
-    assert float(regular_share(d)) == pytest.approx(probability, rel=2e-2)
+    Its derivative by the correlation is that of two of them being zero, times the same for the other d - 2:
+    Plackett's identity, which on the sphere is Schläfli's.
+    """
+    import numpy as np
+
+    if d < 2:
+        return np.full_like(correlation, 0.5**d)
+    nodes, weights = np.polynomial.legendre.leggauss(16)
+    t = correlation[..., None] * (nodes + 1) / 2
+    pair = math.comb(d, 2) / (2 * math.pi * np.sqrt(1 - t**2))
+    return 0.5**d + correlation / 2 * (pair * negative_orthant(d - 2, t / (1 + 2 * t)) @ weights)
+
+
+@pytest.mark.parametrize("d", range(2, 10))
+def test_regular_shares(d):
+    """One integral over a variable in the complex plane, and d/2 real ones, one inside the other."""
+    import numpy as np
+
+    probability = negative_orthant(d, np.asarray(-1 / d))
+    assert float(regular_share(d)) == pytest.approx(float(probability), rel=1e-9)
 
 
 def test_the_shares_of_small_regular_simplices_fall():

@@ -6,6 +6,7 @@ from math import factorial
 
 import numpy as np
 import pytest
+from askew import rows, turned
 from hypothesis import given, settings
 from hypothesis import strategies as st
 from scipy.optimize import linprog
@@ -22,16 +23,6 @@ from coxeter.location.rows import addends, codes, distinct, numbered
 FLAT = ["B~3", "C~2", "C~3"]
 """Their roots have d coordinates, so that boxes of R^d can be compared with exact vertices."""
 TURNED = ["A~2", "A~3", "B~3", "C~3", "G~2", "D~4", "F~4"]
-
-
-def turned(name, seed=1):
-    rng, d = np.random.default_rng(seed), triangulation(name).dimension
-    q, _ = np.linalg.qr(rng.normal(size=(d, d)))
-    return Grid(name, scale=0.7, rotation=q, offset=rng.normal(size=d))
-
-
-def rows(keys):
-    return set(map(tuple, keys.tolist()))
 
 
 # -- brute force --------------------------------------------------------------------------------------------

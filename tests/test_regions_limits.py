@@ -5,6 +5,7 @@ from fractions import Fraction
 
 import numpy as np
 import pytest
+from askew import rows, turned
 from hypothesis import given, settings
 from hypothesis import strategies as st
 from scipy.optimize import linprog
@@ -18,16 +19,6 @@ from coxeter.location.regions import search
 from coxeter.location.rows import flood
 
 LOW = ["A~2", "A~3", "A~4", "B~3", "B~4", "C~2", "C~3", "C~4", "D~4", "F~4", "G~2"]
-
-
-def turned(name, seed=1):
-    rng, d = np.random.default_rng(seed), triangulation(name).dimension
-    q, _ = np.linalg.qr(rng.normal(size=(d, d)))
-    return Grid(name, scale=0.7, rotation=q, offset=rng.normal(size=d))
-
-
-def rows(keys):
-    return set(map(tuple, keys.tolist()))
 
 
 # -- degenerate boxes ---------------------------------------------------------------------------------------

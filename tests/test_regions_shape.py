@@ -5,6 +5,7 @@ from math import factorial
 
 import numpy as np
 import pytest
+from askew import turned
 from hypothesis import given, settings
 from hypothesis import strategies as st
 from scipy.sparse import coo_array
@@ -17,11 +18,8 @@ LOW = ["A~2", "A~3", "A~4", "B~3", "B~4", "C~2", "C~3", "C~4", "D~4", "F~4", "G~
 HIGH = ["A~5", "A~6", "B~5", "B~6", "C~5", "C~6", "D~5", "D~6", "E~6"]
 
 
-def turned(name, seed):
-    """A grid at some scale, turned and moved."""
-    rng, d = np.random.default_rng(seed), triangulation(name).dimension
-    q, _ = np.linalg.qr(rng.normal(size=(d, d)))
-    return Grid(name, scale=10.0 ** rng.uniform(-3, 3), rotation=q, offset=rng.normal(size=d))
+def at_any_scale(name, seed):
+    return turned(name, seed, scale=10.0 ** np.random.default_rng(seed).uniform(-3, 3))
 
 
 def faces(cells, size):
@@ -65,7 +63,7 @@ def check(grid, mesh):
 @settings(max_examples=6, deadline=None)
 def test_a_patch_of_a_convex_region_is_a_manifold_without_holes(name, data):
     seed = data.draw(st.integers(0, 10**6))
-    grid, rng, d = turned(name, seed), np.random.default_rng(seed), triangulation(name).dimension
+    grid, rng, d = at_any_scale(name, seed), np.random.default_rng(seed), triangulation(name).dimension
     scale = grid.frame.scale * (4 if d < 4 else 1)
     lower = rng.normal(size=d) * scale
     sizes = np.where(rng.random(d) < 0.4, 0, rng.random(d)) * scale
@@ -75,14 +73,14 @@ def test_a_patch_of_a_convex_region_is_a_manifold_without_holes(name, data):
 
 @pytest.mark.parametrize("name", HIGH)
 def test_in_more_dimensions_too(name):
-    grid, d = turned(name, 1), triangulation(name).dimension
+    grid, d = at_any_scale(name, 1), triangulation(name).dimension
     lower = np.random.default_rng(2).normal(size=d) * grid.frame.scale
     check(grid, grid.patch_in_box(lower, lower + 0.05 * grid.frame.scale))
 
 
 @pytest.mark.parametrize("name", LOW)
 def test_stars_are_balls_and_links_are_spheres(name):
-    grid, d = turned(name, 3), triangulation(name).dimension
+    grid, d = at_any_scale(name, 3), triangulation(name).dimension
     key = grid.locate(np.random.default_rng(4).normal(size=(1, d)) * 9 * grid.frame.scale).keys[0]
     for label in range(d + 1):
         keys = grid.star(key, label)
@@ -116,6 +114,6 @@ def test_a_star_is_closed_under_its_mirrors_and_complete(name):
 
 def test_oriented_patches_have_positive_volumes():
     for name in ("A~3", "B~4", "G~2"):
-        grid = turned(name, 6)
+        grid = at_any_scale(name, 6)
         mesh = grid.patch_in_ball([0.3] * grid.dimension, 0.4 * grid.frame.scale, oriented=True)
         assert (volumes(mesh) > 0).all()
