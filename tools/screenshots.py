@@ -61,13 +61,13 @@ async def take_all(site: Path, chapters: list[Chapter], target: Path, workers: i
     jobs = [(chapter.name, size) for size in SIZES for chapter in chapters]
     queue = iter(jobs)
 
-    async def work(browser: Any, base: str) -> None:
-        for name, size in queue:
-            await take(browser, base, name, size, target)
+    async def work(base: str) -> None:
+        async with chromium() as browser:  # its own: two windows of one shift each other's pictures
+            for name, size in queue:
+                await take(browser, base, name, size, target)
 
     with serve(site) as base:
-        async with chromium() as browser:
-            await asyncio.gather(*(work(browser, base) for _ in range(workers)))
+        await asyncio.gather(*(work(base) for _ in range(workers)))
     return len(jobs) * len(SCHEMES)
 
 
