@@ -43,7 +43,9 @@ async def take(browser: Any, base: str, name: str, size: str, target: Path) -> N
         await page.wait_for_timeout(SETTLED)
         height = await page.evaluate("document.documentElement.scrollHeight")
         whole = {"x": 0, "y": 0, "width": SIZES[size]["width"], "height": min(height, TALLEST)}
-        await page.screenshot(path=target / picture(name, f"{size}-{scheme}"), full_page=True, clip=whole)
+        shot = target / picture(name, f"{size}-{scheme}")
+        # A tall picture makes the theme slide its sidebar in anew: not to be caught half-way.
+        await page.screenshot(path=shot, full_page=True, clip=whole, animations="disabled")
     await context.close()
 
 
@@ -61,13 +63,13 @@ async def take_all(site: Path, chapters: list[Chapter], target: Path, workers: i
     jobs = [(chapter.name, size) for size in SIZES for chapter in chapters]
     queue = iter(jobs)
 
-    async def work(base: str) -> None:
-        async with chromium() as browser:  # its own: two windows of one shift each other's pictures
-            for name, size in queue:
-                await take(browser, base, name, size, target)
+    async def work(browser: Any, base: str) -> None:
+        for name, size in queue:
+            await take(browser, base, name, size, target)
 
     with serve(site) as base:
-        await asyncio.gather(*(work(base) for _ in range(workers)))
+        async with chromium() as browser:
+            await asyncio.gather(*(work(browser, base) for _ in range(workers)))
     return len(jobs) * len(SCHEMES)
 
 
