@@ -164,6 +164,6 @@ def root_lattice_triangulations(printed: Constants) -> Finding:
     )  # fmt: skip
     return explained(
         finding,
-        r"In the plane one is a Coxeter triangulation. From $d=3$ on the reason is another than the one that is "
-        r"given, as the vertices of $\tilde A_d$ do form a lattice: the cells are not all simplices",
+        r"In the plane one is a Coxeter triangulation. From $d=3$ on the reason is another than the one that "
+        r"is given, as the vertices of $\tilde A_d$ do form a lattice: the cells are not all simplices",
     )

@@ -82,8 +82,8 @@ def theorem_7_outside(printed: Constants) -> Finding:
         {"delaunay": not (inside and mirror_factors() == {4})},
         EVERY_D,
         *MIRROR,
-        r"If $\lambda_k<0$, the vertex $s_k(u_k)$ of the triangulation lies strictly inside the sphere. (It need "
-        r"not be the deepest: in $\tilde D_5$ another vertex lies deeper than all mirror images.)",
+        r"If $\lambda_k<0$, the vertex $s_k(u_k)$ of the triangulation lies strictly inside the sphere. (It "
+        r"need not be the deepest: in $\tilde D_5$ another vertex lies deeper than all mirror images.)",
         f"Checked with coordinates for {', '.join(k.affine for k in kinds)}.",
     )
 
