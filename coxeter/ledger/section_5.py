@@ -118,8 +118,8 @@ def columns(printed: Constants) -> Finding:
     return corrected(
         FINITE,
         f"Table 2 has no column for {', '.join(missing)}; the property stands in item 8 of each family",
-        evidence="a shade or another mark in its cells would be lost in our copy, so whether the paper or the "
-        "copy is at fault cannot be told; the theorem lists the Delaunay triangulations itself",
+        evidence="a shade or another mark in its cells would be lost in our copy, so whether the paper or "
+        "the copy is at fault cannot be told; the theorem lists the Delaunay triangulations itself",
         constants={"columns": (*printed["columns"], *missing)},
     )
 
@@ -141,8 +141,8 @@ def unnormalised(printed: Constants) -> Finding:
         agree(printed, {"table": has_table}, FINITE),
         correction=f"Section 6 gives these values one by one, in items {' and '.join(items)} of each family, "
         "and in no table",
-        evidence="our copy has all numbered tables and that of the regular simplex; that this one alone was lost "
-        "is not likely, but cannot be excluded",
+        evidence="our copy has all numbered tables and that of the regular simplex; that this one alone was "
+        "lost is not likely, but cannot be excluded",
     )
 
 
@@ -215,8 +215,8 @@ def regular_does_not_tile(printed: Constants) -> Finding:
     cosine = regular_simplex(3).dihedral_cosine(0, 1)
     between = (sqrt(5) - 1) / 4 < cosine < sqrt(1) / 2  # cos of a fifth and of a sixth of the full angle
     words = (
-        f"Not for d = 3: the dihedral angle of the regular tetrahedron has the cosine {cosine}, so it is less "
-        "than a fifth and more than a sixth of the full angle: around an edge five leave a gap, six overlap."
+        f"Not for d = 3: the dihedral angle of the regular tetrahedron has the cosine {cosine}, so it is "
+        "less than a fifth and more than a sixth of the full angle: at an edge five leave a gap, six overlap."
     )
     return agree(printed, {"monohedral": not between}, FINITE, words)
 
