@@ -345,6 +345,25 @@ def test_no_hill_simplex_and_none_of_its_halves_is_better(d):
             assert all(known(half) < known(a) for half in halves(here).values())
 
 
+@given(st.integers(2, 7), st.fractions(0, 1, max_denominator=60))
+def test_no_half_is_as_thick_or_as_fat_for_any_cosine(d, share):
+    """The steps of the proof in the chapter on the conjectures, and what follows from them."""
+    assume(0 < share < 1)
+    w = (share * d - 1) / (d - 1)
+    whole, a = hill(d, w), hill(d, Fraction(-1, d))
+    steps = [s * (1 + (s - 1) * w) for s in range(d + 1)]
+    for (i, k), half in halves(whole).items():
+        heights = list(whole.squared_heights)
+        assert half.squared_heights[k] * 4 == heights[k] == heights[i]
+        assert all(half.squared_heights[j] == heights[j] for j in range(d + 1) if j not in (i, k))
+        assert all(heights[j] * 2 == (1 - w) * whole.squared_edge_lengths[0, 1] for j in range(1, d))
+        short = half.squared_longest_edge < whole.squared_longest_edge
+        assert not short or (i == 0 and steps[d] > steps[d - 1])
+        assert half.squared_longest_edge >= steps[d - 1] * whole.squared_edge_lengths[0, 1] or i
+        for of in ("thickness", "fatness"):
+            assert MEASURES[of](half) < MEASURES[of](a)
+
+
 def test_the_best_half_is_not_that_of_a():
     """The mean over the finite Weyl group says nothing of halves."""
     known, (ours,) = MEASURES["thickness"], halves(hill(2, "-1/2")).values()
