@@ -31,6 +31,8 @@ from coxeter.optimality import (
     Crystal,
     Verdict,
     affine_image,
+    crystal_directions,
+    crystal_gradient_rank,
     directions,
     gradient_rank,
     halves,
@@ -362,6 +364,40 @@ def test_no_half_is_as_thick_or_as_fat_for_any_cosine(d, share):
         assert half.squared_longest_edge >= steps[d - 1] * whole.squared_edge_lengths[0, 1] or i
         for of in ("thickness", "fatness"):
             assert MEASURES[of](half) < MEASURES[of](a)
+
+
+RANKS = {
+    (BCC, "fatness"): (5, 8), (BCC, "aspect_ratio"): (8, 8), (BCC, "thickness"): (8, 8),
+    (A15, "fatness"): (26, 26), (A15, "aspect_ratio"): (13, 26), (A15, "thickness"): (24, 26),
+    (C15, "fatness"): (74, 74), (C15, "aspect_ratio"): (74, 74), (C15, "thickness"): (74, 74),
+}  # fmt: skip
+
+
+@pytest.mark.parametrize(("crystal", "of"), RANKS, ids=lambda x: getattr(x, "name", x))
+def test_where_crystals_are_peaks(crystal, of):
+    assert (crystal_gradient_rank(crystal, of), crystal_directions(crystal)) == RANKS[crystal, of]
+
+
+@given(st.lists(st.tuples(*[st.integers(-3, 3)] * 3), min_size=8, max_size=8))
+def test_no_small_move_of_its_atoms_makes_a15_fatter(moves):
+    """A second route to the full rank: the moved crystal, judged exactly."""
+    assume(len(set(moves)) > 1)
+    atoms = [
+        tuple(100 * x + m for x, m in zip(atom, move, strict=True))
+        for atom, move in zip(A15.atoms, moves, strict=True)
+    ]
+    moved = Crystal("A15, moved", 400, tuple(atoms))
+    assert moved.quality("fatness") < A15.quality("fatness")
+
+
+def test_ranks_of_crystals_that_are_refused():
+    with pytest.raises(InvalidInput, match="no gradients"):
+        crystal_gradient_rank(A15, "evenness")
+    others = [tuple(10 * x for x in atom) for atom in A15.atoms[1:]]
+    askew = Crystal("A15, moved", 40, ((1, 0, 0), *others))
+    for crystal, of in ((askew, "fatness"), (C15, "radius_ratio")):
+        with pytest.raises(Undecided):
+            crystal_gradient_rank(crystal, of)
 
 
 def test_the_best_half_is_not_that_of_a():
