@@ -77,7 +77,8 @@ class DelaunayVerdict:
         Where the circumcentre lies relative to the fundamental simplex.
     nearest
         The mirror vertices nearest to the circumcentre. They lie strictly inside the circumsphere
-        if the triangulation is not Delaunay, on it if the circumcentre lies on the boundary.
+        if the triangulation is not Delaunay (other vertices may then lie deeper still), on it if the
+        circumcentre lies on the boundary.
     """
 
     delaunay: bool
@@ -97,7 +98,7 @@ def mirror_vertices(triangulation: CoxeterTriangulation) -> tuple[MirrorVertex, 
 
 
 def delaunay_verdict(triangulation: CoxeterTriangulation) -> DelaunayVerdict:
-    """Whether a Coxeter triangulation is Delaunay, with its nearest vertices as witness.
+    """Whether a Coxeter triangulation is Delaunay, with the nearest mirror vertices as witness.
 
     >>> from coxeter.affine import triangulation
     >>> verdict = delaunay_verdict(triangulation("B~3"))
@@ -122,7 +123,8 @@ class Protection:
     relative
         δ / R.
     nearest
-        The nearest vertices outside the simplex, all of them if the protection is positive.
+        The mirror vertices nearest to the circumcentre; if the protection is positive, these are all
+        vertices outside the simplex that are nearest.
     """
 
     absolute: Surd

@@ -3,7 +3,7 @@
 from collections import defaultdict
 from fractions import Fraction
 from functools import lru_cache
-from itertools import islice, takewhile
+from itertools import islice, product, takewhile
 
 import oracle
 import pytest
@@ -96,6 +96,24 @@ def test_witnesses_against_delaunay_are_vertices_strictly_inside(kind):
             oracle.squared_distance(witness.point, t.simplex.circumcentre) < t.simplex.squared_circumradius
         )
         assert inside == (not verdict.delaunay)
+
+
+@pytest.mark.parametrize("name", ["B~3", "B~4", "B~5", "D~4", "D~5"])
+def test_the_deepest_vertex_is_found_by_folding_the_centre(name):
+    """Against all half-integer points; in D~5 no mirror image is the deepest."""
+    t = triangulation(name)
+    centre, d = t.simplex.circumcentre, t.dimension
+
+    def square(x, c):
+        return sum((a - b) ** 2 for a, b in zip(x, c, strict=True))
+
+    halves = product([Fraction(k, 2) for k in range(-1, 3)], repeat=d)
+    inside = [x for x in halves if square(x, centre) < t.simplex.squared_circumradius]
+    deepest = min(square(x, centre) for x in inside if t.is_vertex_by_rank(x))
+    home = t.fold(centre).point
+    assert deepest == min(square(u, home) for u in t.simplex.vertices)
+    mirror = min(v.squared_distance for v in mirror_vertices(t))
+    assert deepest < mirror if name == "D~5" else deepest == mirror
 
 
 @every([*KINDS, *(Type(letter, d) for letter in "ABCD" for d in (15, 30))])

@@ -31,6 +31,8 @@ from coxeter.optimality import (
     Crystal,
     Verdict,
     affine_image,
+    crystal_directions,
+    crystal_gradient_rank,
     directions,
     gradient_rank,
     halves,
@@ -343,6 +345,59 @@ def test_no_hill_simplex_and_none_of_its_halves_is_better(d):
             known = MEASURES[of]
             assert known(here) < known(a) or w == Fraction(-1, d)
             assert all(known(half) < known(a) for half in halves(here).values())
+
+
+@given(st.integers(2, 7), st.fractions(0, 1, max_denominator=60))
+def test_no_half_is_as_thick_or_as_fat_for_any_cosine(d, share):
+    """The steps of the proof in the chapter on the conjectures, and what follows from them."""
+    assume(0 < share < 1)
+    w = (share * d - 1) / (d - 1)
+    whole, a = hill(d, w), hill(d, Fraction(-1, d))
+    steps = [s * (1 + (s - 1) * w) for s in range(d + 1)]
+    for (i, k), half in halves(whole).items():
+        heights = list(whole.squared_heights)
+        assert half.squared_heights[k] * 4 == heights[k] == heights[i]
+        assert all(half.squared_heights[j] == heights[j] for j in range(d + 1) if j not in (i, k))
+        assert all(heights[j] * 2 == (1 - w) * whole.squared_edge_lengths[0, 1] for j in range(1, d))
+        short = half.squared_longest_edge < whole.squared_longest_edge
+        assert not short or (i == 0 and steps[d] > steps[d - 1])
+        assert half.squared_longest_edge >= steps[d - 1] * whole.squared_edge_lengths[0, 1] or i
+        for of in ("thickness", "fatness"):
+            assert MEASURES[of](half) < MEASURES[of](a)
+
+
+RANKS = {
+    (BCC, "fatness"): (5, 8), (BCC, "aspect_ratio"): (8, 8), (BCC, "thickness"): (8, 8),
+    (A15, "fatness"): (26, 26), (A15, "aspect_ratio"): (13, 26), (A15, "thickness"): (24, 26),
+    (C15, "fatness"): (74, 74), (C15, "aspect_ratio"): (74, 74), (C15, "thickness"): (74, 74),
+}  # fmt: skip
+
+
+@pytest.mark.parametrize(("crystal", "of"), RANKS, ids=lambda x: getattr(x, "name", x))
+def test_where_crystals_are_peaks(crystal, of):
+    assert (crystal_gradient_rank(crystal, of), crystal_directions(crystal)) == RANKS[crystal, of]
+
+
+@given(st.lists(st.tuples(*[st.integers(-3, 3)] * 3), min_size=8, max_size=8))
+def test_no_small_move_of_its_atoms_makes_a15_fatter(moves):
+    """A second route to the full rank: the moved crystal, judged exactly."""
+    assume(len(set(moves)) > 1)
+    atoms = [
+        tuple(100 * x + m for x, m in zip(atom, move, strict=True))
+        for atom, move in zip(A15.atoms, moves, strict=True)
+    ]
+    moved = Crystal("A15, moved", 400, tuple(atoms))
+    assert moved.quality("fatness") < A15.quality("fatness")
+
+
+def test_ranks_of_crystals_that_are_refused():
+    with pytest.raises(InvalidInput, match="no gradients"):
+        crystal_gradient_rank(A15, "evenness")
+    others = [tuple(10 * x for x in atom) for atom in A15.atoms[1:]]
+    askew = Crystal("A15, moved", 40, ((1, 0, 0), *others))
+    for crystal, of in ((askew, "fatness"), (C15, "radius_ratio")):
+        with pytest.raises(Undecided):
+            crystal_gradient_rank(crystal, of)
 
 
 def test_the_best_half_is_not_that_of_a():

@@ -14,7 +14,7 @@ from ..root_lattices import root_lattice
 from .claim import Constants, Finding, agree, cited, claim
 from .instances import all_types, neighbours_are_congruent, of_type
 from .vocabulary import EVERY_D, LITERATURE, Weight
-from .wording import fits, quoted
+from .wording import explained, fits, quoted
 
 RESULT, WORDING = Weight.RESULT, Weight.WORDING
 
@@ -146,12 +146,12 @@ def _nearest_lattice_points() -> tuple[tuple[str, int, int], ...]:
 
 @claim("sec1.root-lattice-triangulations", "Section 1.2", WORDING)
 def root_lattice_triangulations(printed: Constants) -> Finding:
-    """The Delaunay triangulations of root lattices are other ones than Coxeter triangulations."""
-    crowded = {name: many for name, d, many in _nearest_lattice_points() if d > 2 and many > d + 1}
-    alike = [name for name, d, many in _nearest_lattice_points() if many <= d + 1]
-    different = all(name in crowded for name, d, _ in _nearest_lattice_points() if d > 2)
-    return agree(
-        printed, {"different": different}, EVERY_D,
+    """From d = {from_d} on the Delaunay triangulations of root lattices are other ones than Coxeter
+    triangulations."""
+    crowded = {name: many for name, d, many in _nearest_lattice_points() if many > d + 1}
+    alike = {name: d for name, d, many in _nearest_lattice_points() if many <= d + 1}
+    finding = agree(
+        printed, {"from_d": max(alike.values()) + 1}, EVERY_D,
         "From d = 3 on a vertex $u_k$ of the alcove has more than d + 1 nearest points of the root "
         "lattice, so some Delaunay cell is no simplex. They are an orbit of the group $W_k$ fixing $u_k$, "
         "and number $|W_k|/|W_k\\cap W|$: $\\binom{d+1}{2}$ for $A_d$ and k = 2, $2^{d-1}$ for $D_d$ and k "
@@ -159,6 +159,11 @@ def root_lattice_triangulations(printed: Constants) -> Finding:
         f"Computed: {', '.join(f'{name} {many}' for name, many in crowded.items())}.",
         "Other root lattices are $\\mathbb Z^d$ for $B_d$, with cubes, and those of $D_d$, $D_4$, $A_2$ "
         "for $C_d$, $F_4$, $G_2$.",
-        f"In the plane both meet ({', '.join(alike)}): the Delaunay triangulation of that root lattice is, "
-        "up to scale, a Coxeter triangulation.",
+        witness=f"The Delaunay triangulation of the root lattice {', '.join(alike)} is that by regular "
+        "triangles, up to scale the Coxeter triangulation A~2.",
     )  # fmt: skip
+    return explained(
+        finding,
+        r"In the plane one is a Coxeter triangulation. From $d=3$ on the reason is another than the one that "
+        r"is given, as the vertices of $\tilde A_d$ do form a lattice: the cells are not all simplices",
+    )

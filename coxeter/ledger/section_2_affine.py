@@ -139,14 +139,16 @@ def _redundant() -> dict[str, tuple[int, int]]:
 
 @claim("sec2.redundant", "Section 2.4", WORDING, to_state=["def-15.fundamental"], to_prove=["prop-5"])
 def redundant(printed: Constants) -> Finding:
-    """Of the inequalities that say what the fundamental alcove is, most can be left out."""
-    halves = [name for name, (n, needed) in _redundant().items() if 2 * needed == n]
-    return agree(
-        printed, {"most": all(2 * needed <= n for n, needed in _redundant().values())}, EVERY_D,
+    """Of the inequalities that say what the fundamental alcove is, most can be left out: {strict?more than|at
+    least} half of them, in every type."""
+    halves = [f"{name}, where {k} of {n} are needed" for name, (n, k) in _redundant().items() if 2 * k >= n]
+    finding = agree(
+        printed, {"strict": not halves}, EVERY_D,
         "Two for each positive root, and d + 1 are needed. There are at least $\\frac{d(d+1)}2$ positive "
-        f"roots, so that at most the share $\\frac1d$ is needed: just a half in {', '.join(halves)}, less "
-        "in all other types with d ≥ 2.",
+        "roots, so that at most the share $\\frac1d$ is needed: at most a half, and a half in A~2 alone.",
+        witness="; ".join(halves),
     )  # fmt: skip
+    return explained(finding, "In A~2 just a half can be left out, in all other types most")
 
 
 @lru_cache(maxsize=1)

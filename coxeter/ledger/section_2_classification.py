@@ -67,7 +67,14 @@ def drawings(printed: Constants) -> Finding:
         labels = [graph.edges[i, i + 1]["m"] for i in range(1, system.rank)]
         ends.add(labels[-1] if labels[:-1] == [3] * (system.rank - 2) else 0)
     (edge,) = diagrams.coxeter_diagram(root_system("G2")).edges(data="m")
-    return agree(printed, {"B": ends.pop(), "G2": edge[2]}, EVERY_D, "Computed up to rank 8.")
+    return agree(
+        printed, {"B": ends.pop(), "G2": edge[2]}, EVERY_D,
+        "By Theorem 3: of the roots $e_k-e_{k+1}$ and $e_d$ only neighbours have a product other than 0, and "
+        r"it is $-1$. The lengths are $\sqrt2$, and 1 for the last: so the cosines are $-\frac12$, label 3, "
+        r"and at the end $-\frac1{\sqrt2}$, label 4. For $G_2$ the product is $-3$ and the lengths are "
+        r"$\sqrt2$, $\sqrt6$: the cosine is $-\frac{\sqrt3}2$, label 6.",
+        "Computed up to rank 8.",
+    )  # fmt: skip
 
 
 @claim("thm-2.dual", "Section 2.2, after Theorem 2", RESULT, to_state=["def-10", "thm-3.C"])

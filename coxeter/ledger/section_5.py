@@ -70,8 +70,14 @@ def delaunay(printed: Constants) -> Finding:
 def protected(printed: Constants) -> Finding:
     """The triangulations with a positive relative protection are those of {families}, and no others."""
     found = tuple(x for x in delaunay_families() if protection(_member(x)).relative > 0)
-    words = "A~: Lemma 12. The others have a circumcentre on a wall"
-    return agree(printed, {"families": _named(found)}, EVERY_D, words)
+    on_a_wall = _named(tuple(x for x in delaunay_families() if x not in found))
+    return agree(
+        printed,
+        {"families": _named(found)},
+        EVERY_D,
+        f"A~: Lemma 12. In {', '.join(on_a_wall)} the circumcentre lies on a wall, so the protection is 0; "
+        "all others are not Delaunay (Theorem 7).",
+    )
 
 
 @claim("thm-8.lattices", "Theorem 8", Weight.RESULT, to_prove=tuple(f"prop-{n}" for n in range(7, 15)))
@@ -112,7 +118,8 @@ def columns(printed: Constants) -> Finding:
     return corrected(
         FINITE,
         f"Table 2 has no column for {', '.join(missing)}; the property stands in item 8 of each family",
-        evidence="the theorem lists the Delaunay triangulations itself",
+        evidence="a shade or another mark in its cells would be lost in our copy, so whether the paper or "
+        "the copy is at fault cannot be told; the theorem lists the Delaunay triangulations itself",
         constants={"columns": (*printed["columns"], *missing)},
     )
 
@@ -134,7 +141,8 @@ def unnormalised(printed: Constants) -> Finding:
         agree(printed, {"table": has_table}, FINITE),
         correction=f"Section 6 gives these values one by one, in items {' and '.join(items)} of each family, "
         "and in no table",
-        evidence="our copy has all other tables",
+        evidence="our copy has all numbered tables and that of the regular simplex; that this one alone was "
+        "lost is not likely, but cannot be excluded",
     )
 
 
@@ -206,7 +214,10 @@ def regular_does_not_tile(printed: Constants) -> Finding:
     """The regular simplex does not tile space in every dimension."""
     cosine = regular_simplex(3).dihedral_cosine(0, 1)
     between = (sqrt(5) - 1) / 4 < cosine < sqrt(1) / 2  # cos of a fifth and of a sixth of the full angle
-    words = f"Five tetrahedra leave a gap at an edge: {cosine}"
+    words = (
+        f"Not for d = 3: the dihedral angle of the regular tetrahedron has the cosine {cosine}, so it is "
+        "less than a fifth and more than a sixth of the full angle: at an edge five leave a gap, six overlap."
+    )
     return agree(printed, {"monohedral": not between}, FINITE, words)
 
 

@@ -137,8 +137,10 @@ def same_plan(printed: Constants) -> Finding:
     names = map(affine_name, FAMILIES)
     found = tuple(x for x in names if any(p.startswith(f"Section 6, {x},") for p in places))
     return agree(
-        printed, {"families": found}, FINITE, "The case of G~2 has no items and no diagram of its own."
-    )
+        printed, {"families": found}, FINITE,
+        "The case of G~2 has no items and no figure of its own; of a diagram, our copy shows a trace in the "
+        "heading.",
+    )  # fmt: skip
 
 
 def judge_figure_of_proposition(family: str, printed: Constants) -> Finding:

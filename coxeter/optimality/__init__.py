@@ -12,7 +12,7 @@ True
 from .crystals import A15, BCC, C15, Crystal
 from .fillers import halves, hill, part_around_centre
 from .images import AffineImage, affine_image
-from .sharpness import directions, gradient_rank
+from .sharpness import crystal_directions, crystal_gradient_rank, directions, gradient_rank
 from .verdicts import Optimality, Verdict, local_optimality
 
 __all__ = [
@@ -24,6 +24,8 @@ __all__ = [
     "Optimality",
     "Verdict",
     "affine_image",
+    "crystal_directions",
+    "crystal_gradient_rank",
     "directions",
     "gradient_rank",
     "halves",

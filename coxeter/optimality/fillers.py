@@ -11,7 +11,9 @@
 
 The triangulations by Hill simplices of a dimension are affine images of one another, and of A~d's. So no w is
 better than -1/d: see `images`. The argument there does not reach the halves, as the cut singles out the
-direction of b_1 + … + b_d, which the finite Weyl group moves: they have to be looked at for each w.
+direction of b_1 + … + b_d, which the finite Weyl group moves. No half is as thick or as fat as A~d's simplex,
+for every w and d: that is proved in the book's chapter on the conjectures. In other measures they have to be
+looked at for each w.
 """
 
 from __future__ import annotations

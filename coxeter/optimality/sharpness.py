@@ -9,7 +9,8 @@ Hence in a direction H
 * if all vanish on H, quality falls more slowly than linearly, if at all.
 
 So the directions of linear descent are all but a subspace, whose dimension is that of all forms up to scale,
-d(d + 1)/2 - 1, less the *rank* of the active gradients.
+d(d + 1)/2 - 1, less the *rank* of the active gradients. It is the same for a crystal, where besides the form
+the atoms can move, if the active gradients add up to zero; that is computed.
 """
 
 from __future__ import annotations
@@ -20,7 +21,9 @@ from itertools import combinations, product
 from ..affine import triangulation
 from ..errors import InvalidInput, Undecided
 from ..exact import RationalMatrix
+from ..quality import find_measure
 from ..simplex import Simplex
+from .crystals import Atom, Crystal
 from .images import reflections
 
 Rows = list[list[Fraction]]
@@ -64,6 +67,69 @@ def gradient_rank(name: object, measure: str) -> int:
             basis.append(gradient)
             waiting += [s.T @ gradient @ s for s in moves]
     return len(basis)
+
+
+def crystal_directions(crystal: Crystal) -> int:
+    """The number of independent directions in which a crystal can be deformed, up to similarity.
+
+    All atoms of a period can move, and the period with them.
+
+    >>> from coxeter.optimality import A15
+    >>> crystal_directions(A15)
+    26
+    """
+    d = len(crystal.atoms[0])
+    return d * (len(crystal.atoms) - 1) + directions(d)
+
+
+def crystal_gradient_rank(crystal: Crystal, measure: str) -> int:
+    """The rank of the active gradients of a measure at a crystal, if these add up to zero.
+
+    If they do, quality falls linearly in each direction on which one of them does not vanish. So if the
+    rank is ``crystal_directions(crystal)``, every small deformation makes the least quality worse: the
+    crystal is a strict local optimum among those with as many atoms to a period.
+
+    Raises
+    ------
+    InvalidInput
+        If the measure is none of Definition 18.
+    Undecided
+        If the gradients do not add up to zero, or are not rational.
+
+    Examples
+    --------
+    >>> from coxeter.optimality import A15
+    >>> crystal_gradient_rank(A15, "fatness")
+    26
+    """
+    if measure not in _ACTIVE:
+        raise InvalidInput(f"{measure!r} has no gradients here; there are {', '.join(_ACTIVE)}")
+    known, least = find_measure(measure), crystal.quality(measure)
+    worst = [(cell, s) for cell in crystal.cells if known(s := Simplex(cell)) == least]
+    rows = [_moves(crystal, cell, form) for cell, s in worst for form in _ACTIVE[measure](s)]
+    if any(map(sum, zip(*rows, strict=True))):
+        raise Undecided(f"{crystal.name}: the active gradients of {measure} do not add up to zero")
+    return RationalMatrix.from_rows(sorted(set(map(tuple, rows)))).rank()
+
+
+def _moves(crystal: Crystal, cell: tuple[Atom, ...], form: Rows) -> list[Fraction]:
+    """The gradient in the moves of the atoms, and in a linear map of all space, from that in the Gram matrix.
+
+    A Gram matrix EEᵗ of edges changes by dE·Eᵗ + E·dEᵗ, so the gradient in the edges is 2·form·E.
+    """
+    d = len(cell[0])
+    edges = RationalMatrix.from_rows([[a - b for a, b in zip(v, cell[0], strict=True)] for v in cell[1:]])
+    apart = list((RationalMatrix.from_rows(form) @ edges).rows())
+    forces = [tuple(-sum(column, Fraction(0)) for column in zip(*apart, strict=True)), *apart]
+    sites = [tuple(x % crystal.period for x in atom) for atom in crystal.atoms]
+    row = [Fraction(0)] * (d * len(sites) + d * d)
+    for vertex, force in zip(cell, forces, strict=True):
+        at = sites.index(tuple(x % crystal.period for x in vertex))
+        for i, f in enumerate(force):
+            row[d * at + i] += f
+            for j, x in enumerate(vertex):
+                row[d * len(sites) + d * i + j] += f * x
+    return row
 
 
 def _rank(forms: list[RationalMatrix]) -> int:
