@@ -239,6 +239,7 @@ def test_the_row_of_a_bad_point_is_told_in_whichever_chunk_it_is():
         {"offset": "abc"},
         {"offset": [1j, 0, 0]},
         {"offset": [[1], [2, 3]]},
+        {"offset": np.ma.array([1.0, 2.0, 3.0], mask=[0, 1, 0])},
     ],
 )
 def test_settings_that_are_no_numbers_are_refused(settings):
@@ -266,6 +267,30 @@ def test_pixels_are_decided_as_they_are_exactly(name, compiled, monkeypatch):
         assert (found.keys == exact.keys).all()
         assert not found.open.any()
         assert np.abs(found.barycentric - exact.barycentric.astype(float)).max() < 1e-12
+
+
+@pytest.mark.parametrize("name", ["A~3", "A~6", "E~6", "E~7", "G~2"])
+def test_coordinates_of_the_roots_on_walls_are_decided_exactly(name):
+    """Integer sums of roots lie on walls, where the coordinates in which E~6 sorts are thirds of integers."""
+    grid = Grid(name)
+    roots = grid.triangulation.roots.simple_roots
+    sums = np.random.default_rng(1).integers(-9, 10, (100, grid.dimension)) @ roots.numerators
+    exact = grid.locate(np.vectorize(lambda x: Fraction(int(x), roots.denominator), otypes=[object])(sums))
+    assert (grid.locate(sums / roots.denominator).keys == exact.keys).all()
+
+
+def test_no_digit_is_lost_unseen():
+    """Where 64-bit floats round what is given, it is refused; and small integers do not overflow."""
+    moved = Grid("C~2", offset=[2.0**60, 0])
+    for number in (2**60 + 1, 2**53 + 1, -(2**63)):
+        with pytest.raises(InvalidInput, match="row 1 .* rounded"):
+            moved.locate(np.array([[0, 0], [number, 0]]))
+    long = np.array([[np.longdouble(1) - np.finfo(np.longdouble).epsneg, 0.25]])
+    with pytest.raises(InvalidInput, match="row 0 .* rounded"):
+        Grid("C~2").locate(long)
+    small = np.array([[np.int8(127), Fraction(1, 3)]], dtype=object)
+    plain = np.array([[127, Fraction(1, 3)]], dtype=object)
+    assert (Grid("C~2").locate(small).keys == Grid("C~2").locate(plain).keys).all()
 
 
 def test_a_rotation_typed_with_ten_digits_goes_and_comes_back():

@@ -26,9 +26,16 @@ def test_a_file_is_read_in_chunks(grid, tmp_path):
     assert (np.concatenate([part.barycentric for part in parts]) == whole.barycentric).all()
 
 
-def test_chunks_are_positive():
-    with pytest.raises(InvalidInput, match="positive"):
-        Grid("A~2").locate_chunks([[0, 0]], chunk=0)
+@pytest.mark.parametrize("chunk", [0, -1, 2.5, "2", None])
+def test_chunks_are_positive_integers(chunk):
+    with pytest.raises(InvalidInput, match="positive integer"):
+        Grid("A~2").locate_chunks([[0, 0]], chunk=chunk)
+
+
+@pytest.mark.parametrize("points", [None, 3.0, [0.0, 0.0]])
+def test_chunks_of_what_is_no_array_of_points_are_refused(points):
+    with pytest.raises(InvalidInput, match="expected"):
+        list(Grid("A~2").locate_chunks(points))
 
 
 @pytest.mark.parametrize("grid", GRIDS, ids=repr)

@@ -287,6 +287,8 @@ def balls(d: int, radius: float) -> Floats:
 
 def _vector(given: ArrayLike, d: int, what: str) -> Floats:
     try:
+        if np.ma.is_masked(given):
+            raise TypeError
         vector = np.array(given, dtype=np.float64)
     except (TypeError, ValueError, OverflowError):
         raise InvalidInput(f"{what} is {given!r}: expected {d} numbers that floats can hold") from None
