@@ -283,10 +283,10 @@ def test_no_digit_is_lost_unseen():
     """Where 64-bit floats round what is given, it is refused; and small integers do not overflow."""
     moved = Grid("C~2", offset=[2.0**60, 0])
     for number in (2**60 + 1, 2**53 + 1, -(2**63)):
-        with pytest.raises(InvalidInput, match="row 1 .* rounded"):
+        with pytest.raises(InvalidInput, match=r"row 1 .* rounded"):
             moved.locate(np.array([[0, 0], [number, 0]]))
     long = np.array([[np.longdouble(1) - np.finfo(np.longdouble).epsneg, 0.25]])
-    with pytest.raises(InvalidInput, match="row 0 .* rounded"):
+    with pytest.raises(InvalidInput, match=r"row 0 .* rounded"):
         Grid("C~2").locate(long)
     small = np.array([[np.int8(127), Fraction(1, 3)]], dtype=object)
     plain = np.array([[127, Fraction(1, 3)]], dtype=object)

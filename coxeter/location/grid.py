@@ -29,8 +29,9 @@ from .locating import (
 from .location import Location
 from .patches import patch_in, patch_of
 from .regions import search
-from .stars import Star, classes_of, star_of
+from .stars import Star, star_of
 from .subgroups import Ints
+from .vertices import vertices_in
 
 Floats = NDArray[np.float64]
 
@@ -229,11 +230,11 @@ class Grid(Alcoves):
         >>> Grid("C~2").vertices_in_box([0, 0], [0.5, 0.5]).labels.tolist()
         [0, 1, 1, 2]
         """
-        return Vertices(self, *search(self, Box.between(lower, upper, self.dimension)).vertices())
+        return Vertices(self, *vertices_in(search(self, Box.between(lower, upper, self.dimension))))
 
     def vertices_in_ball(self, centre: ArrayLike, radius: float) -> Vertices:
         """The vertices in a ball, those on its boundary too, as in `vertices_in_box`."""
-        return Vertices(self, *search(self, Ball.around(centre, radius, self.dimension)).vertices())
+        return Vertices(self, *vertices_in(search(self, Ball.around(centre, radius, self.dimension))))
 
     def patch(self, keys: ArrayLike, oriented: bool = False) -> Mesh:
         """The mesh of some simplices.
@@ -271,10 +272,6 @@ class Grid(Alcoves):
     @cached_property
     def _star(self) -> Star:
         return star_of(self)
-
-    @cached_property
-    def _classes(self) -> list[Ints]:
-        return classes_of(self)
 
     # -- functions -------------------------------------------------------------------------------------------
 

@@ -172,7 +172,9 @@ def floats_over_common_denominator(z: Floats) -> tuple[NDArray[Any], int]:
     """The same for floats, which are integers times powers of two."""
     mantissas, exponents = np.frexp(z)
     low = min(int(exponents.min(initial=0)) - 53, 0)
-    numerators = (mantissas * 2.0**53).astype(np.int64).astype(object) << (exponents - 53 - low).astype(object)
+    numerators = (mantissas * 2.0**53).astype(np.int64).astype(object) << (exponents - 53 - low).astype(
+        object
+    )
     return _short(numerators, 2**-low), 2**-low
 
 
