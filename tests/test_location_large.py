@@ -1,6 +1,9 @@
 """More points than memory: in chunks from a file, on Dask arrays; and what grids are sent as."""
 
+import os
 import pickle
+import subprocess
+import sys
 
 import numpy as np
 import pytest
@@ -75,6 +78,12 @@ def test_two_workers_locate():
     ):
         keys = grid.locate(da.from_array(points, chunks=(100, 3))).keys.compute()
     assert (keys == grid.locate(points).keys).all()
+
+
+def test_numba_is_turned_off_as_its_manual_says():
+    code = "from coxeter.location import Grid, compiled; assert compiled.kernels is None; print(Grid('A~2'))"
+    told = subprocess.check_output([sys.executable, "-c", code], env=os.environ | {"NUMBA_DISABLE_JIT": "1"})
+    assert told == b"Grid('A~2')\n"
 
 
 def test_a_dask_array_of_the_wrong_shape_is_refused():

@@ -12,8 +12,10 @@ from __future__ import annotations
 from typing import Any
 
 import numpy as np
-from numba import njit
+from numba import config, njit
 
+if config.DISABLE_JIT:
+    raise ImportError("Numba is turned off")
 BLOCK = 64
 """So many points go side by side; in the last block those that are missing are 0."""
 SMALL = 64

@@ -33,8 +33,8 @@ THINNEST = 2.0**-6
 ROUNDING = 1 + 2.0**-10
 """And so much wider, for what rounding does."""
 ORDERS = {"E~8": (1, 2, 3, 4, 5, 6, 7, 0), "F~4": (2, 1, 0, 3)}
-"""In which Gram and Schmidt make axes of the simple roots, or nearly. For B~ to D~ that is the last first; for
-the other types as they stand, as `frames` does it."""
+"""In which Gram and Schmidt make axes of the simple roots, or nearly. For B~ to D~ the last comes first; the
+others are as they stand, as `frames` has them."""
 BLOCK = 1 << 14
 """So many points at a time are held in intermediate arrays."""
 
@@ -64,7 +64,7 @@ def vertices_in(search: Search) -> tuple[Ints, Ints]:
 
 
 def cosets(grid: Grid) -> Iterator[tuple[int, Ints, Ints]]:
-    """For each mark m those u_k with m_k = m that differ modulo L / m; and a basis of L / m. Times the unit."""
+    """For each mark m the u_k with m_k = m that differ modulo L / m; and a basis of L / m. Times the unit."""
     roots, unit, marks = grid.triangulation.roots, grid.vertex_unit, np.array(grid.triangulation.marks)
     simple, coweights = roots.simple_roots, roots.fundamental_coweights
     squares = (simple.numerators**2).sum(axis=1)[:, None] // simple.denominator**2
@@ -128,7 +128,7 @@ class Scan:
 
     @property
     def work(self) -> float:
-        """About how many points it looks at: by the volume of what it looks through, but for thin directions."""
+        """About how many points it looks at: by the volume that it looks through, but for thin directions."""
         pivots = np.abs(np.diag(self.triangle))
         wide = 2 * self.reach > pivots
         ball = np.append(0.0, balls(len(pivots), self.radius))[wide.sum()]
