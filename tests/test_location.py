@@ -154,6 +154,23 @@ def test_floats_with_huge_denominators_are_decided_exactly(name):
     assert not found.open.any()
 
 
+@pytest.mark.parametrize("compiled", [True, False])
+@pytest.mark.parametrize("name", ["B~3", "B~6", "B~70", "C~2", "C~5", "C~70", "D~4", "D~7", "D~70"])
+def test_where_only_signs_and_sizes_decide_floats_go_where_fractions_go(name, compiled, monkeypatch):
+    """On walls and a bit beside them; nothing has to be decided anew, whatever the number of digits."""
+    if not compiled:
+        monkeypatch.setattr("coxeter.location.compiled.kernels", None)
+    walls = np.concatenate([np.arange(-3, 4) / 2, [0.1, -0.1, 1e9 + 0.5, 0.3]])
+    values = np.concatenate([walls, np.nextafter(walls, 9e9), np.nextafter(walls, -9e9), [-0.0, 1e-300]])
+    points = np.random.default_rng(7).choice(values, (200, int(name[2:])))
+    exact = Grid(name).locate(np.vectorize(Fraction, otypes=[object])(points))
+    monkeypatch.setattr("coxeter.location.locating.Locator.exact", None)
+    found = Grid(name).locate(points)
+    assert (found.keys == exact.keys).all()
+    assert not found.open.any()
+    assert np.abs(found.barycentric - exact.barycentric.astype(float)).max() < 1e-12
+
+
 def test_what_rounding_leaves_open_is_told():
     """The origin is a vertex, but in the plane's own coordinates of A~2 no neighbour of it is exact."""
     found = Grid("A~2").locate([[0.0, 0.0], [0.3, 0.2]])

@@ -184,7 +184,9 @@ class Grid(Alcoves):
 
     def _close(self, found: Found, z: Floats) -> None:
         """Decide what is open exactly: a float is a fraction."""
-        if self._subgroup.dyadic:
+        if self._subgroup.parts[0].kind != "A" and self._subgroup.classical:
+            found.open[:] = False  # nothing was rounded: see `sorting`
+        elif self._subgroup.dyadic:
             found.open[found.open] = ~is_short(z[found.open])
         rows = np.flatnonzero(found.open)
         if len(rows):
@@ -227,6 +229,11 @@ class Grid(Alcoves):
     def vertices_in_box(self, lower: ArrayLike, upper: ArrayLike) -> Vertices:
         """The vertices in a box, those on its boundary too: keys, labels, positions.
 
+        They are found as points of lattices, coordinate by coordinate, without the simplices around. Rounding
+        does as in `alcoves_in_box`, and what is refused is the same.
+
+        Examples
+        --------
         >>> Grid("C~2").vertices_in_box([0, 0], [0.5, 0.5]).labels.tolist()
         [0, 1, 1, 2]
         """

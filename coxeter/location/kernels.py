@@ -106,7 +106,8 @@ def fold_signed(
         sums[0, q] = 0.0
     for i in range(c):
         for q in range(BLOCK):
-            nearest = np.floor((2.0 * z[i, q] + 1.0) / 2.0)
+            nearest = np.floor(z[i, q])
+            nearest += 1.0 if z[i, q] - nearest >= 0.5 else 0.0
             rest[i, q] = z[i, q] - nearest
             sizes[i, q] = abs(rest[i, q])
             shift[i, q] = nearest
