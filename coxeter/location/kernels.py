@@ -14,7 +14,7 @@ from typing import Any
 import numpy as np
 from numba import config, njit
 
-if config.DISABLE_JIT:
+if getattr(config, "DISABLE_JIT", False):
     raise ImportError("Numba is turned off")
 BLOCK = 64
 """So many points go side by side; in the last block those that are missing are 0."""
