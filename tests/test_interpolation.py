@@ -103,6 +103,29 @@ def test_no_points_give_no_values():
     assert found.of(np.empty(0)).shape == found.splat([]).shape == (0,)
 
 
+def test_a_function_may_change_what_it_is_given():
+    found = Grid("A~3").interpolation(np.random.default_rng(7).normal(size=(9, 3)))
+    before = found.vertices.positions.copy()
+
+    def doubled(x):
+        x *= 2
+        return x
+
+    assert (found.of(doubled) == found.of(2 * before)).all()
+    assert (found.vertices.positions == before).all()
+
+
+def test_dask_arrays_are_interpolated_block_by_block():
+    import dask.array as da
+
+    grid, points = Grid("A~3"), np.random.default_rng(8).normal(size=(90, 3))
+    lazy = da.from_array(points, chunks=(30, 3))
+    with pytest.raises(InvalidInput, match="block by block, with its map_blocks"):
+        grid.interpolate(lazy, np.sin)
+    blocks = lazy.map_blocks(grid.interpolate, np.sin, meta=points[:0])
+    assert np.allclose(blocks.compute(scheduler="synchronous"), grid.interpolate(points, np.sin))
+
+
 @pytest.mark.parametrize(
     ("f", "told"),
     [

@@ -154,6 +154,23 @@ def test_floats_with_huge_denominators_are_decided_exactly(name):
     assert not found.open.any()
 
 
+@pytest.mark.parametrize("compiled", [True, False])
+@pytest.mark.parametrize("name", ["B~3", "B~6", "B~70", "C~2", "C~5", "C~70", "D~4", "D~7", "D~70"])
+def test_where_only_signs_and_sizes_decide_floats_go_where_fractions_go(name, compiled, monkeypatch):
+    """On walls and a bit beside them; nothing has to be decided anew, whatever the number of digits."""
+    if not compiled:
+        monkeypatch.setattr("coxeter.location.compiled.kernels", None)
+    walls = np.concatenate([np.arange(-3, 4) / 2, [0.1, -0.1, 1e9 + 0.5, 0.3]])
+    values = np.concatenate([walls, np.nextafter(walls, 9e9), np.nextafter(walls, -9e9), [-0.0, 1e-300]])
+    points = np.random.default_rng(7).choice(values, (200, int(name[2:])))
+    exact = Grid(name).locate(np.vectorize(Fraction, otypes=[object])(points))
+    monkeypatch.setattr("coxeter.location.locating.Locator.exact", None)
+    found = Grid(name).locate(points)
+    assert (found.keys == exact.keys).all()
+    assert not found.open.any()
+    assert np.abs(found.barycentric - exact.barycentric.astype(float)).max() < 1e-12
+
+
 def test_what_rounding_leaves_open_is_told():
     """The origin is a vertex, but in the plane's own coordinates of A~2 no neighbour of it is exact."""
     found = Grid("A~2").locate([[0.0, 0.0], [0.3, 0.2]])
@@ -239,6 +256,7 @@ def test_the_row_of_a_bad_point_is_told_in_whichever_chunk_it_is():
         {"offset": "abc"},
         {"offset": [1j, 0, 0]},
         {"offset": [[1], [2, 3]]},
+        {"offset": np.ma.array([1.0, 2.0, 3.0], mask=[0, 1, 0])},
     ],
 )
 def test_settings_that_are_no_numbers_are_refused(settings):
@@ -266,6 +284,30 @@ def test_pixels_are_decided_as_they_are_exactly(name, compiled, monkeypatch):
         assert (found.keys == exact.keys).all()
         assert not found.open.any()
         assert np.abs(found.barycentric - exact.barycentric.astype(float)).max() < 1e-12
+
+
+@pytest.mark.parametrize("name", ["A~3", "A~6", "E~6", "E~7", "G~2"])
+def test_coordinates_of_the_roots_on_walls_are_decided_exactly(name):
+    """Integer sums of roots lie on walls, where the coordinates in which E~6 sorts are thirds of integers."""
+    grid = Grid(name)
+    roots = grid.triangulation.roots.simple_roots
+    sums = np.random.default_rng(1).integers(-9, 10, (100, grid.dimension)) @ roots.numerators
+    exact = grid.locate(np.vectorize(lambda x: Fraction(int(x), roots.denominator), otypes=[object])(sums))
+    assert (grid.locate(sums / roots.denominator).keys == exact.keys).all()
+
+
+def test_no_digit_is_lost_unseen():
+    """Where 64-bit floats round what is given, it is refused; and small integers do not overflow."""
+    moved = Grid("C~2", offset=[2.0**60, 0])
+    for number in (2**60 + 1, 2**53 + 1, -(2**63)):
+        with pytest.raises(InvalidInput, match=r"row 1 .* rounded"):
+            moved.locate(np.array([[0, 0], [number, 0]]))
+    long = np.array([[np.longdouble(1) - np.finfo(np.longdouble).epsneg, 0.25]])
+    with pytest.raises(InvalidInput, match=r"row 0 .* rounded"):
+        Grid("C~2").locate(long)
+    small = np.array([[np.int8(127), Fraction(1, 3)]], dtype=object)
+    plain = np.array([[127, Fraction(1, 3)]], dtype=object)
+    assert (Grid("C~2").locate(small).keys == Grid("C~2").locate(plain).keys).all()
 
 
 def test_a_rotation_typed_with_ten_digits_goes_and_comes_back():

@@ -1,6 +1,9 @@
 """More points than memory: in chunks from a file, on Dask arrays; and what grids are sent as."""
 
+import os
 import pickle
+import subprocess
+import sys
 
 import numpy as np
 import pytest
@@ -26,9 +29,16 @@ def test_a_file_is_read_in_chunks(grid, tmp_path):
     assert (np.concatenate([part.barycentric for part in parts]) == whole.barycentric).all()
 
 
-def test_chunks_are_positive():
-    with pytest.raises(InvalidInput, match="positive"):
-        Grid("A~2").locate_chunks([[0, 0]], chunk=0)
+@pytest.mark.parametrize("chunk", [0, -1, 2.5, "2", None])
+def test_chunks_are_positive_integers(chunk):
+    with pytest.raises(InvalidInput, match="positive integer"):
+        Grid("A~2").locate_chunks([[0, 0]], chunk=chunk)
+
+
+@pytest.mark.parametrize("points", [None, 3.0, [0.0, 0.0]])
+def test_chunks_of_what_is_no_array_of_points_are_refused(points):
+    with pytest.raises(InvalidInput, match="expected"):
+        list(Grid("A~2").locate_chunks(points))
 
 
 @pytest.mark.parametrize("grid", GRIDS, ids=repr)
@@ -68,6 +78,12 @@ def test_two_workers_locate():
     ):
         keys = grid.locate(da.from_array(points, chunks=(100, 3))).keys.compute()
     assert (keys == grid.locate(points).keys).all()
+
+
+def test_numba_is_turned_off_as_its_manual_says():
+    code = "from coxeter.location import Grid, compiled; assert compiled.kernels is None; print(Grid('A~2'))"
+    told = subprocess.check_output([sys.executable, "-c", code], env=os.environ | {"NUMBA_DISABLE_JIT": "1"})
+    assert told == b"Grid('A~2')\n"
 
 
 def test_a_dask_array_of_the_wrong_shape_is_refused():

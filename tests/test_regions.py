@@ -349,7 +349,7 @@ def test_more_simplices_at_a_vertex_than_memory_holds_are_refused_at_once():
     assert len(grid.vertices_in_ball([0] * 8, 0)) == 1
 
 
-@pytest.mark.parametrize("label", [3, -1, "1", 1.5, None])
+@pytest.mark.parametrize("label", [3, -1, "1", 1.5, 1.0, None])
 def test_what_is_no_label_has_no_star(label):
     grid = Grid("C~2")
     with pytest.raises(InvalidInput, match="no label: give an integer from 0 to 2"):

@@ -113,10 +113,10 @@ class Alcoves:
 
     def star(self, key: Sequence[int], label: int) -> Ints:
         """The keys of all simplices that share a vertex of one of them, given by its label; in order."""
-        if label not in range(self.dimension + 1):
+        if not isinstance(label, (int, np.integer)) or label not in range(self.dimension + 1):
             raise InvalidInput(f"{label!r} is no label: give an integer from 0 to {self.dimension}")
         check_count(self.meeting_at(label), LARGEST_ANSWER // (self.dimension + 1))
-        return star_round(self, self.corners([key])[0], label)
+        return star_round(self, self.corners([key])[0], int(label))
 
     def meeting_at(self, label: int) -> int:
         """How many simplices share a vertex with that label: the order of its stabiliser."""

@@ -1,4 +1,7 @@
-"""Whether Numba is there, and how its code is called."""
+"""Whether Numba is there, and how its code is called.
+
+With ``NUMBA_DISABLE_JIT=1`` in the environment it is as if it were not there.
+"""
 
 from __future__ import annotations
 
@@ -16,7 +19,7 @@ if TYPE_CHECKING:
 kernels: Any
 try:
     from . import kernels
-except ImportError:  # no Numba: the same answers from NumPy alone
+except ImportError:  # Numba is not there, or turned off: the same answers from NumPy alone
     kernels = None
 
 NO_LENGTHS = np.empty(0)

@@ -43,6 +43,14 @@ class Region(Protocol):
         """Half the edges of the least box around it."""
 
     @property
+    def radius(self) -> float:
+        """The radius of the least ball around it."""
+
+    @property
+    def stretched(self) -> Region:
+        """Of the same kind, with half the edges 1."""
+
+    @property
     def sections(self) -> Floats:
         """The logarithms of the volumes of flat pieces of it, of dimension 1 to d; the last is all of it."""
 
@@ -84,6 +92,16 @@ class Box:
             k = int(np.flatnonzero(low > high)[0])
             raise InvalidInput(f"coordinate {k} of the box runs from {low[k]:g} to {high[k]:g}: swap them")
         return cls(low / 2 + high / 2, high / 2 - low / 2)
+
+    @property
+    def radius(self) -> float:
+        """Half a diagonal."""
+        return float(np.linalg.norm(self.half))
+
+    @property
+    def stretched(self) -> Box:
+        """A cube."""
+        return Box(self.centre, np.ones_like(self.half))
 
     @property
     def sections(self) -> Floats:
@@ -205,6 +223,11 @@ class Ball:
         return np.full(len(self.centre), self.radius)
 
     @property
+    def stretched(self) -> Ball:
+        """The unit ball."""
+        return Ball(self.centre, 1.0)
+
+    @property
     def sections(self) -> Floats:
         """The logarithms of the volumes of balls of dimension 1 to d."""
         return balls(len(self.centre), self.radius)
@@ -287,6 +310,8 @@ def balls(d: int, radius: float) -> Floats:
 
 def _vector(given: ArrayLike, d: int, what: str) -> Floats:
     try:
+        if np.ma.is_masked(given):
+            raise TypeError
         vector = np.array(given, dtype=np.float64)
     except (TypeError, ValueError, OverflowError):
         raise InvalidInput(f"{what} is {given!r}: expected {d} numbers that floats can hold") from None

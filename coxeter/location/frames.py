@@ -154,10 +154,11 @@ def _orthogonal(matrix: Floats) -> Floats:
 
 
 def _numbers(given: ArrayLike, shape: tuple[int, ...], told: str) -> Floats:
-    """Finite real numbers in an array of a shape, or a refusal in given words."""
+    """Finite real numbers without a mask, in an array of a shape; or a refusal in given words."""
     try:
         array = np.array(given)
-        numbers = array.astype(np.float64) if array.dtype.kind in "fiuO" else np.empty(0)
+        real = array.dtype.kind in "fiuO" and not np.ma.is_masked(given)
+        numbers = array.astype(np.float64) if real else np.empty(0)
     except (TypeError, ValueError, OverflowError):
         raise InvalidInput(told) from None
     if array.shape != shape or numbers.shape != shape or not np.isfinite(numbers).all():

@@ -17,12 +17,21 @@ from .alcoves import Alcoves
 from .convex import Ball, Box
 from .interpolation import Function, Interpolation, Vertices, interpolation_at
 from .lazy import locate_lazily
-from .locating import NUMBERS, Found, as_floats, is_short, over_common_denominator, read
+from .locating import (
+    NUMBERS,
+    Found,
+    as_floats,
+    floats_over_common_denominator,
+    is_short,
+    over_common_denominator,
+    read,
+)
 from .location import Location
 from .patches import patch_in, patch_of
 from .regions import search
-from .stars import Star, classes_of, star_of
+from .stars import Star, star_of
 from .subgroups import Ints
+from .vertices import vertices_in
 
 Floats = NDArray[np.float64]
 
@@ -37,9 +46,11 @@ class Grid(Alcoves):
     scale
         The factor by which all is enlarged; positive.
     rotation
-        An orthogonal matrix (d, d) that is applied before the offset; none by default.
+        An orthogonal matrix (d, d), also with a reflection, that is applied before the offset; none by
+        default.
     offset
-        Where vertex u_0 of the fundamental simplex lies, d numbers; 0 by default.
+        Where vertex u_0 of the fundamental simplex lies, d numbers; 0 by default. It is kept, as the others
+        are, in floats of 64 bits.
 
     Raises
     ------
@@ -74,8 +85,8 @@ class Grid(Alcoves):
         Raises
         ------
         InvalidInput
-            If the shape is wrong, a number is not finite, or so large that floats no longer tell the
-            simplices apart.
+            If the shape is wrong, or a number is not finite, has more digits than a float of 64 bits, or is
+            so large that floats no longer tell the simplices apart.
         """
         if is_lazy(points):
             return Location(self, *locate_lazily(self, points))
@@ -118,9 +129,9 @@ class Grid(Alcoves):
         >>> [len(found) for found in grid.locate_chunks(np.zeros((5, 2)), chunk=2)]
         [2, 2, 1]
         """
-        if chunk < 1:
-            raise InvalidInput(f"chunks of {chunk} points were asked for: give a positive number")
-        rows = points if isinstance(points, np.ndarray) else np.asarray(points)
+        if not isinstance(chunk, (int, np.integer)) or chunk < 1:
+            raise InvalidInput(f"chunks of {chunk} points were asked for: give a positive integer")
+        rows = np.atleast_1d(points)
         return (self.locate(rows[i : i + chunk]) for i in range(0, len(rows), chunk))
 
     def _locate_some(self, points: Floats, found: Found) -> None:
@@ -151,8 +162,9 @@ class Grid(Alcoves):
             )
         numerators, denominator = over_common_denominator(array)
         self._in_span(numerators)
-        exact = self._locator.exact(numerators, denominator)
-        return Location(self, exact.keys, exact.barycentric, exact.open)
+        keys, shares, unit = self._locator.exact(numerators, denominator)
+        fractions = np.frompyfunc(lambda x: Fraction(int(x), unit), 1, 1)(shares)
+        return Location(self, keys, np.asarray(fractions, dtype=object), np.zeros(len(keys), dtype=bool))
 
     def _in_span(self, z: NDArray[Any]) -> None:
         """Refuse points outside the span of the roots."""
@@ -172,15 +184,14 @@ class Grid(Alcoves):
 
     def _close(self, found: Found, z: Floats) -> None:
         """Decide what is open exactly: a float is a fraction."""
-        found.open[found.open] = ~is_short(z[found.open])
+        if self._subgroup.parts[0].kind != "A" and self._subgroup.classical:
+            found.open[:] = False  # nothing was rounded: see `sorting`
+        elif self._subgroup.dyadic:
+            found.open[found.open] = ~is_short(z[found.open])
         rows = np.flatnonzero(found.open)
         if len(rows):
-            as_fraction = np.frompyfunc(lambda x: Fraction(float(x)), 1, 1)
-            numerators, denominator = over_common_denominator(as_fraction(z[rows]))
-            better = self._locator.exact(numerators, denominator)
-            found.keys[rows] = better.keys
-            found.barycentric[rows] = better.barycentric.astype(np.float64)
-            found.open[rows] = False
+            keys, shares, unit = self._locator.exact(*floats_over_common_denominator(z[rows]))
+            found.keys[rows], found.barycentric[rows], found.open[rows] = keys, shares / unit, False
 
     # -- regions ---------------------------------------------------------------------------------------------
 
@@ -218,14 +229,19 @@ class Grid(Alcoves):
     def vertices_in_box(self, lower: ArrayLike, upper: ArrayLike) -> Vertices:
         """The vertices in a box, those on its boundary too: keys, labels, positions.
 
+        They are found as points of lattices, coordinate by coordinate, without the simplices around. Rounding
+        does as in `alcoves_in_box`, and what is refused is the same.
+
+        Examples
+        --------
         >>> Grid("C~2").vertices_in_box([0, 0], [0.5, 0.5]).labels.tolist()
         [0, 1, 1, 2]
         """
-        return Vertices(self, *search(self, Box.between(lower, upper, self.dimension)).vertices())
+        return Vertices(self, *vertices_in(search(self, Box.between(lower, upper, self.dimension))))
 
     def vertices_in_ball(self, centre: ArrayLike, radius: float) -> Vertices:
         """The vertices in a ball, those on its boundary too, as in `vertices_in_box`."""
-        return Vertices(self, *search(self, Ball.around(centre, radius, self.dimension)).vertices())
+        return Vertices(self, *vertices_in(search(self, Ball.around(centre, radius, self.dimension))))
 
     def patch(self, keys: ArrayLike, oriented: bool = False) -> Mesh:
         """The mesh of some simplices.
@@ -263,10 +279,6 @@ class Grid(Alcoves):
     @cached_property
     def _star(self) -> Star:
         return star_of(self)
-
-    @cached_property
-    def _classes(self) -> list[Ints]:
-        return classes_of(self)
 
     # -- functions -------------------------------------------------------------------------------------------
 

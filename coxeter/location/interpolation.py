@@ -17,6 +17,7 @@ from numpy.typing import ArrayLike, NDArray
 from scipy.sparse import csr_array
 
 from ..errors import InvalidInput
+from ..meshes.judging import is_lazy
 from .rows import distinct
 from .subgroups import Ints
 
@@ -87,7 +88,7 @@ class Interpolation:
         InvalidInput
             If there is not a value for each vertex.
         """
-        values = f(self.vertices.positions) if callable(f) else f
+        values = f(self.vertices.positions.copy()) if callable(f) else f
         return np.asarray(self.matrix @ _rows(values, len(self.vertices), "vertices"))
 
     def splat(self, values: ArrayLike) -> Floats:
@@ -111,6 +112,8 @@ def vertices_of(grid: Grid, keys: Ints) -> tuple[Vertices, Ints]:
 
 def interpolation_at(grid: Grid, points: ArrayLike) -> Interpolation:
     """The vertices of the simplices that hold points, and their shares."""
+    if is_lazy(points):
+        raise InvalidInput("points are a Dask array: interpolate block by block, with its map_blocks")
     found = grid.locate(points)
     n, c = found.barycentric.shape
     keys, which = distinct(found.keys, grid.dimension)

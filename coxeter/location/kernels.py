@@ -12,8 +12,10 @@ from __future__ import annotations
 from typing import Any
 
 import numpy as np
-from numba import njit
+from numba import config, njit
 
+if getattr(config, "DISABLE_JIT", False):
+    raise ImportError("Numba is turned off")
 BLOCK = 64
 """So many points go side by side; in the last block those that are missing are 0."""
 SMALL = 64
@@ -104,7 +106,8 @@ def fold_signed(
         sums[0, q] = 0.0
     for i in range(c):
         for q in range(BLOCK):
-            nearest = np.floor((2.0 * z[i, q] + 1.0) / 2.0)
+            nearest = np.floor(z[i, q])
+            nearest += 1.0 if z[i, q] - nearest >= 0.5 else 0.0
             rest[i, q] = z[i, q] - nearest
             sizes[i, q] = abs(rest[i, q])
             shift[i, q] = nearest

@@ -77,15 +77,12 @@ class Locator:
         """Integers (n, m) in the coordinates of the roots, folded."""
         return fold(self.subgroup, self.cells, self.subgroup.into(z).T, unit)
 
-    def exact(self, numerators: NDArray[Any], denominator: int) -> Found:
-        """For integers (n, m) over a common denominator, in the coordinates of the roots."""
+    def exact(self, numerators: NDArray[Any], denominator: int) -> tuple[Ints, NDArray[Any], int]:
+        """For integers (n, m) over a common denominator, in the coordinates of the roots: the keys, the
+        barycentric coordinates as integers, and what these are over."""
         unit = 12 * denominator
         folded = self.fold(12 * numerators, unit)
-        shares = barycentric(folded, unit).T
-        fractions = np.frompyfunc(lambda x: Fraction(int(x), unit), 1, 1)(shares)
-        return Found(
-            self.keys(folded), np.asarray(fractions, dtype=object), np.zeros(len(shares), dtype=bool)
-        )
+        return self.keys(folded), barycentric(folded, unit).T, unit
 
 
 def settle(shares: Floats, bounds: Floats) -> tuple[Floats, NDArray[np.bool_]]:
@@ -129,25 +126,32 @@ def read(points: ArrayLike, frame: Frame, columns: tuple[int, int]) -> NDArray[A
     if array.dtype.kind == "O":
         return _exact(array)
     if array.dtype.kind in "iu":
-        return array.astype(object) if frame.standard or array.shape[1] != d else array.astype(np.float64)
+        return array.astype(object) if frame.standard or array.shape[1] != d else array
     if array.dtype.kind != "f":
         raise InvalidInput(f"an array of {array.dtype} was given: points are floats, integers or fractions")
     return array
 
 
 def as_floats(array: NDArray[Any], first: int = 0) -> Floats:
-    """Some rows, from the number of the first on, as finite floats.
+    """Some rows, from the number of the first on, as finite floats of 64 bits.
 
     Raises
     ------
     InvalidInput
-        If a number is not finite.
+        If a number is not finite, or has too many digits.
     """
-    array = array.astype(np.float64, copy=False)
-    if not np.isfinite(array).all():
-        row = int(np.flatnonzero(~np.isfinite(array).all(axis=1))[0])
-        raise InvalidInput(f"row {first + row} is {array[row].tolist()}: all coordinates must be finite")
-    return array
+    floats = array.astype(np.float64, copy=False)
+    if not np.isfinite(floats).all():
+        row = int(np.flatnonzero(~np.isfinite(floats).all(axis=1))[0])
+        raise InvalidInput(f"row {first + row} is {floats[row].tolist()}: all coordinates must be finite")
+    if array.dtype.itemsize >= 8 and array.dtype != np.float64:
+        rounded = np.abs(floats) >= 2.0**53 if array.dtype.kind in "iu" else floats != array
+        if rounded.any():
+            row = int(np.flatnonzero(rounded.any(axis=1))[0])
+            raise InvalidInput(
+                f"row {first + row} is {array[row].tolist()}: as floats of 64 bits these would be rounded"
+            )
+    return floats
 
 
 def _exact(array: NDArray[Any]) -> NDArray[Any]:
@@ -159,11 +163,25 @@ def _exact(array: NDArray[Any]) -> NDArray[Any]:
 
 def over_common_denominator(array: NDArray[Any]) -> tuple[NDArray[Any], int]:
     """Exact numbers as integers over one denominator; int64 where they fit with room to spare."""
-    denominator = lcm(1, *{int(getattr(x, "denominator", 1)) for x in array.flat})
-    numerators = np.frompyfunc(lambda x: int(x * denominator), 1, 1)(array)
+    denominator = lcm(1, *{int(x.denominator) for x in array.flat})
+    scaled = np.frompyfunc(lambda x: int(x.numerator) * (denominator // int(x.denominator)), 1, 1)
+    return _short(scaled(array), denominator), denominator
+
+
+def floats_over_common_denominator(z: Floats) -> tuple[NDArray[Any], int]:
+    """The same for floats, which are integers times powers of two."""
+    mantissas, exponents = np.frexp(z)
+    low = min(int(exponents.min(initial=0)) - 53, 0)
+    numerators = (mantissas * 2.0**53).astype(np.int64).astype(object) << (exponents - 53 - low).astype(
+        object
+    )
+    return _short(numerators, 2**-low), 2**-low
+
+
+def _short(numerators: NDArray[Any], denominator: int) -> NDArray[Any]:
+    """Integers as machine integers, if these have room to spare."""
     largest = max((abs(x) for x in numerators.flat), default=0)
-    fits = max(largest, denominator) < 2**40
-    return np.asarray(numerators, dtype=np.int64 if fits else object), denominator
+    return np.asarray(numerators, dtype=np.int64 if max(largest, denominator) < 2**40 else object)
 
 
 def check_size(sizes: Floats) -> None:

@@ -1,4 +1,4 @@
-"""What lies in a box or a ball: simplices and vertices.
+"""Which simplices meet a box or a ball.
 
 Why spreading from neighbour to neighbour finds all simplices that meet a compact convex set K. Take two of
 them, a point of each in K, and next to these, at most ε away, points inside the two simplices such that the
@@ -29,7 +29,6 @@ from .alcoves import LARGEST_ANSWER, check_count
 from .bounds import at_least, quick, vectors_near
 from .convex import SLACK, Region, meets
 from .feasible import Flags, Floats
-from .interpolation import vertices_of
 from .rows import codes, distinct, flood
 from .stars import orbit
 from .subgroups import Ints
@@ -45,8 +44,6 @@ SPARSE = 128
 """Where of the stars' simplices one in so many times d meets the region, or fewer, neighbours are faster."""
 SAMPLE = 1 << 14
 """By about so many simplices it is estimated how many more there are."""
-LARGEST_WORK = 2**31
-"""So many vertices are looked at, at most, to find those in a region."""
 BLOCK = 1 << 18
 """So many simplices, or numbers, at a time are held in intermediate arrays."""
 SEEDS = 1 << 14
@@ -80,17 +77,17 @@ class Search:
         order = min(self.grid.triangulation.roots.weyl_group_order, 10**300)
         limit, least = self._limit, at_least(self.grid, self.region, self.slack)
         most = vectors_near(self.grid, self.region) * order
-        self._check(least, limit)
+        self.check(least, limit)
         if least <= SAMPLE and most > limit and (found := self.spread(SAMPLE)) is not None:
             return found
         if most > limit:
-            self._check(self.estimate() / 2, limit, "about {} simplices")
+            self.check(self.estimate() / 2, limit, "about {} simplices")
         if order <= LARGEST_STAR:
             limit = int(min(limit, max(most / (SPARSE * self.grid.dimension), BLOCK / 64)))
             return self.spread(limit) if least <= limit else None
         found = self.spread(limit)
         if found is None:
-            self._check(limit + 1, limit)
+            self.check(limit + 1, limit)
         return found
 
     def estimate(self) -> float:
@@ -116,7 +113,7 @@ class Search:
         """Vectors of L, and of each simplex that meets the region the number of its vertex 0 and its own."""
         lattice = self.lattice()
         vectors, simplices = zip(*self._blocks(lattice), strict=True)
-        return lattice + self._origin[0], np.concatenate(vectors), np.concatenate(simplices)
+        return lattice + self.origin[0], np.concatenate(vectors), np.concatenate(simplices)
 
     def keys_of(self, lattice: Ints, vectors: Ints, simplices: Ints) -> Ints:
         """The keys of what `stars` gives."""
@@ -127,7 +124,7 @@ class Search:
         """Vectors of L, seen from the middle: all that are vertex 0 of a simplex in question, and more."""
         grid, unit = self.grid, self.grid.vertex_unit
         most = LARGEST_ANSWER // (grid.dimension + 1)
-        self._check(vectors_near(grid, self.region), most, "about {} vertices with label 0 near it")
+        self.check(vectors_near(grid, self.region), most, "about {} vertices with label 0 near it")
         walls = [grid._subgroup.wall(k) for k in range(grid.dimension + 1)]
         step = walls[0].reflect(0 * grid._centre, unit)
         steps = orbit(step, [partial(wall.reflect, unit=unit) for wall in walls[1:]])
@@ -137,30 +134,16 @@ class Search:
             return np.reshape(rows[:, None] + steps, (-1, rows.shape[1]))
 
         def near(rows: Ints) -> Flags:
-            return np.asarray(self.region.distance(self._place(rows)) <= longest * (1 + SLACK))
+            return np.asarray(self.region.distance(self.place(rows)) <= longest * (1 + SLACK))
 
-        start = distinct(grid.corners(self._seeds)[:, 0] - self._origin[0])[0]
+        start = distinct(grid.corners(self._seeds)[:, 0] - self.origin[0])[0]
         found = flood(start.astype(np.int64), around, near)
         assert found is not None
         return found
 
-    def vertices(self) -> tuple[Ints, Ints]:
-        """The vertices in the region, times the unit, in lexicographic order; and their labels."""
-        grid, d = self.grid, self.grid.dimension
-        order = grid.triangulation.roots.weyl_group_order
-        each = sum(order // grid.meeting_at(k) for k in range(d + 1))
-        work = vectors_near(grid, self.region) * min(each, 10**300)
-        limit = int(max(work / (SPARSE * 16), BLOCK / 64)) if work <= LARGEST_WORK else BLOCK // 4
-        if at_least(grid, self.region, self.slack) <= limit and (keys := self.spread(limit)) is not None:
-            found = vertices_of(grid, keys)[0]
-            inside = self.region.distance(self._place(found.keys - self._origin[0])) == 0
-            return found.keys[inside], found.labels[inside]
-        self._check(work, LARGEST_WORK, "about {} vertices near it")
-        return self._among(self.lattice())
-
     def spread(self, limit: int) -> Ints | None:
         """From neighbour to neighbour, unless they are too many. A row has a key and the corners."""
-        keys, (vector, moved) = self._seeds, self._origin
+        keys, (vector, moved) = self._seeds, self.origin
         corners = (self.grid.corners(keys) - vector).reshape(len(keys), -1)
         rows = np.concatenate([keys - moved, corners], axis=1).astype(np.int64)
         found = flood(rows, self._across, self._meets, keys.shape[1], limit)
@@ -184,7 +167,7 @@ class Search:
         return distinct(self.grid.locate(np.concatenate([centre[None], centre + points])).keys)[0]
 
     @cached_property
-    def _origin(self) -> tuple[Ints, Ints]:
+    def origin(self) -> tuple[Ints, Ints]:
         """A vector of L near the centre of the region, times the unit of vertices, and times that of keys."""
         grid = self.grid
         vector = grid.corners(grid.locate(self.region.centre[None]).keys)[0, 0]
@@ -193,10 +176,10 @@ class Search:
     @cached_property
     def _shift(self) -> Floats:
         """Where that vector lies, seen from the centre of the region."""
-        vector = (self._origin[0] / self.grid.vertex_unit).astype(np.float64)
+        vector = (self.origin[0] / self.grid.vertex_unit).astype(np.float64)
         return np.asarray(self.grid.frame.outward(vector) - self.region.centre)
 
-    def _place(self, rows: Ints) -> Floats:
+    def place(self, rows: Ints) -> Floats:
         """Where vectors (times the unit, seen from the one in the middle) lie, seen from the centre."""
         return np.asarray(self.grid.frame.turned(rows / self.grid.vertex_unit) + self._shift)
 
@@ -206,7 +189,7 @@ class Search:
         size = self.grid.dimension + 1
         return min(LARGEST_ANSWER // size, LARGEST_SEARCH // size**3)
 
-    def _check(self, count: float, most: float, words: str = "at least {} simplices") -> None:
+    def check(self, count: float, most: float, words: str = "at least {} simplices") -> None:
         """Refuse to look for more than fits in memory."""
         largest, scale = self.slack / SLACK, self.grid.frame.scale
         why = f" (rounding leaves {self.slack:.2g} open at coordinates up to {largest:.3g})"
@@ -225,7 +208,7 @@ class Search:
         """Where corners (n, d + 1, m) lie, the heights, doubled, and the gradients."""
         matrix, factors = self._mirrors
         heights = np.rint(matrix @ (corners - corners[:, :1]))
-        return self._place(corners), heights, self.grid.frame.turned(heights) * factors[:, None]
+        return self.place(corners), heights, self.grid.frame.turned(heights) * factors[:, None]
 
     def _meets(self, rows: Ints) -> Flags:
         d, m = self.grid.dimension, len(self.grid._centre)
@@ -250,21 +233,6 @@ class Search:
             found.append(new)
         return np.concatenate(found)
 
-    def _among(self, lattice: Ints) -> tuple[Ints, Ints]:
-        """The vertices in the region, from vectors seen from the middle, and from classes."""
-        rows, labels = [], []
-        for k, shifts in enumerate(self.grid._classes):
-            unmoved = self.grid.frame.turned(shifts / self.grid.vertex_unit)
-            size = max(1, BLOCK // len(shifts))
-            for part in (lattice[i : i + size] for i in range(0, len(lattice), size)):
-                inside = self.region.distance(self._place(part)[:, None] + unmoved) == 0
-                vectors, chosen = np.nonzero(inside)
-                rows.append(part[vectors] + shifts[chosen])
-                labels.append(np.full(len(chosen), k))
-        found = np.concatenate(rows) + self._origin[0]
-        order = np.argsort(codes(found))
-        return found[order], np.concatenate(labels)[order]
-
     def _blocks(self, lattice: Ints) -> Iterator[tuple[Ints, Ints]]:
         """As `meets`, but simplices that share a corner or a gradient look at it once."""
         star, grid, d = self.grid._star, self.grid, self.grid.dimension
@@ -272,7 +240,7 @@ class Search:
         reach, bits = self.region.reach(star.normals), 1 << np.arange(2 * d, dtype=np.uint16)
         size = max(1, BLOCK // len(star.keys))
         for start in range(0, len(lattice), size):
-            at = self._place(lattice[start : start + size])
+            at = self.place(lattice[start : start + size])
             points = at[:, None] + unmoved
             inside = self.region.distance(points) == 0
             sides = np.concatenate([points > self.region.half, points < -self.region.half], axis=2) @ bits

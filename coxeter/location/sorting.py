@@ -76,8 +76,13 @@ def _plain(y: Points, unit: Any) -> tuple[Points, NDArray[np.intp], Points, None
 
 
 def _signed(y: Points, unit: Any, kind: str) -> tuple[Points, NDArray[np.intp], Points, Points]:
-    """Signed permutations: nearest integers, signs, sizes; for B and D the integers get an even sum."""
-    shift = _floor(2 * y + unit, 2 * unit)
+    """Signed permutations: nearest integers, signs, sizes; for B and D the integers get an even sum.
+
+    No float is rounded but where 1 is added last, and that leaves order and signs as they are: a float minus
+    the nearest integer is a float (Sterbenz). So floats on walls and beside them go where fractions go.
+    """
+    shift = _floor(y, unit)
+    shift = shift + (2 * (y - shift * unit) >= unit)
     rest = y - shift * unit
     signs = 1 - 2 * (rest < 0).astype(y.dtype)
     sizes = _as_integers(np.abs(rest))

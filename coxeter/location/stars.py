@@ -84,22 +84,6 @@ def keys_of(grid: Alcoves, points: Ints, corners: Ints, rest: Ints) -> Ints:
     return np.asarray(total // grid.vertex_unit)
 
 
-def classes_of(grid: Grid) -> list[Ints]:
-    """For each label images of its vertex under the Weyl group, times the unit: one of each class mod L."""
-    t = grid.triangulation
-    simple, coweights = t.roots.simple_roots, t.roots.fundamental_coweights
-    squares = (simple.numerators**2).sum(axis=1) // simple.denominator**2
-    weights = coweights.numerators * squares[:, None]
-    mirrors = mirrors_of(grid, grid._corners)[1:]
-    found = []
-    for row in grid._corners:
-        rows = orbit(row, mirrors)
-        # In the basis of simple coroots, modulo 1.
-        coordinates = rows @ weights.T % (2 * coweights.denominator * grid.vertex_unit)
-        found.append(rows[np.unique(codes(coordinates), return_index=True)[1]])
-    return found
-
-
 # -- groups -------------------------------------------------------------------------------------------------
 
 

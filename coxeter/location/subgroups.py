@@ -89,6 +89,11 @@ class Subgroup:
         normal = np.array([int(x * scale) for x in facet.normal], dtype=np.int64)
         return Wall(normal, facet.offset * scale, Fraction(2, int(normal @ normal)), scale)
 
+    @cached_property
+    def dyadic(self) -> bool:
+        """Whether the coordinates y of a point have no more binary digits than its own, but for a few."""
+        return self.classical or self.inward[1].bit_count() == 1
+
     # -- the change of coordinates, as integers over a denominator: none for the classical families --------
 
     @cached_property
