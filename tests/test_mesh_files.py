@@ -2,6 +2,7 @@
 
 import sys
 import warnings
+from itertools import combinations
 
 import meshio
 import numpy as np
@@ -15,6 +16,7 @@ from coxeter.meshes import (
     from_gudhi,
     from_meshio,
     from_pyvista,
+    mesh_qualities,
     quality_report,
     read_mesh,
     to_gudhi,
@@ -282,6 +284,29 @@ def test_of_several_kinds_the_simplices_of_largest_dimension_are_taken(tmp_path)
     meshio.write(tmp_path / "quads.vtu", meshio.Mesh(points, mixed[2:3]))
     with pytest.raises(InvalidInput, match=r"quads.vtu: there are no triangles .*; there are 1 of type quad"):
         read_mesh(tmp_path / "quads.vtu")
+
+
+@pytest.mark.parametrize(
+    ("kind", "d", "name"), [("tetra", 3, "QUADRATIC_TETRA"), ("triangle", 2, "QUADRATIC_TRIANGLE")]
+)
+def test_of_curved_simplices_the_corners_are_taken(tmp_path, kind, d, name):
+    import pyvista
+
+    corners = some_mesh(d)
+    pairs = list(combinations(range(d + 1), 2))
+    middles = np.concatenate([corners.points[corners.cells[:, pair]].mean(axis=1) for pair in pairs])
+    numbers = len(corners.points) + np.arange(len(middles)).reshape(len(pairs), -1).T
+    curved, points = np.hstack([corners.cells, numbers]), np.vstack([corners.points, middles])
+    block = (f"{kind}{curved.shape[1]}", curved)
+    meshio.write(tmp_path / "curved.vtu", meshio.Mesh(points, [block, (kind, corners.cells[:5])]))
+    grid = pyvista.UnstructuredGrid({pyvista.CellType[name]: curved}, points)
+    words = f"only the corners were taken of {len(curved)} of type {block[0]}$"
+    with pytest.warns(UserWarning, match=words):
+        found = read_mesh(tmp_path / "curved.vtu")
+    with pytest.warns(UserWarning, match=words):
+        assert np.array_equal(from_pyvista(grid).cells, corners.cells)
+    assert np.array_equal(found.cells, np.vstack([corners.cells, corners.cells[:5]]))
+    assert quality_report(found, ["thickness"]).measures[0].min == mesh_qualities(corners)["thickness"].min()
 
 
 # -- other libraries -------------------------------------------------------------------------------------

@@ -323,6 +323,42 @@ def test_a_report_is_what_numpy_says(chunk):
         assert np.abs(np.array(x.counts) - np.histogram(known, 6, (0, 1))[0]).max() <= 1
 
 
+@pytest.mark.parametrize(("d", "m"), [(2, 2), (3, 3), (4, 4), (2, 3)])
+@pytest.mark.parametrize("at_once", [7, 10**6])
+def test_inverted_and_doubled_cells_are_counted_and_named(monkeypatch, d, m, at_once):
+    monkeypatch.setattr("coxeter.meshes.doubles.AT_ONCE", at_once)
+    rng = np.random.default_rng(d)
+    points, cells = rng.normal(size=(8, m)), rng.integers(0, 8, size=(300, d + 1))
+    report = quality_report(Mesh(points, cells), ["thickness"], chunk=64)
+    sorted_cells = np.sort(cells, axis=1).tolist()
+    doubled = [i for i, cell in enumerate(sorted_cells) if cell in sorted_cells[:i]]
+    assert (report.doubled, report.doubled_cells) == (len(doubled), doubled[:10])
+    assert len(doubled) > 20
+    if d == m:
+        edges = points[cells[:, 1:]] - points[cells[:, :1]]
+        inverted = np.flatnonzero(
+            (np.linalg.det(edges) < 0) & [len(set(cell)) == d + 1 for cell in sorted_cells]
+        )
+        assert (report.inverted, report.inverted_cells) == (len(inverted), inverted[:10].tolist())
+    else:
+        assert (report.inverted, report.inverted_cells) == (None, [])
+
+
+def test_keys_that_collide_convict_no_cell(monkeypatch):
+    monkeypatch.setattr("coxeter.meshes.doubles._keys", lambda cells: np.zeros(len(cells), np.uint64))
+    mesh = Mesh(np.eye(4)[:, :2], [[0, 1, 2], [1, 2, 3], [2, 0, 1], [0, 1, 3]])
+    assert quality_report(mesh, ["thickness"]).doubled_cells == [2]
+
+
+def test_a_plane_in_space_has_an_orientation_and_a_surface_has_none():
+    flat = np.array([[0, 0, 5], [1, 0, 5], [0, 1, 5], [1, 1, 5]])
+    cells = [[0, 1, 2], [1, 2, 3]]
+    assert quality_report(Mesh(flat, cells), ["thickness"]).inverted_cells == [1]
+    assert quality_report(flat[cells], ["thickness"]).doubled is None
+    flat[0, 2] = 6
+    assert quality_report(Mesh(flat, cells), ["thickness"]).inverted is None
+
+
 def test_a_histogram_reaches_beyond_1_where_values_do():
     x = quality_report(random_mesh(), ["minimal_dihedral_angle"], normalised=False, bins=3).measures[0]
     assert x.edges[0] == pytest.approx(x.min, rel=1e-3)
@@ -383,7 +419,9 @@ def test_dask_says_the_same_on_two_workers():
     for a, b in zip(found.measures, expected.measures, strict=True):
         assert a.mean == pytest.approx(b.mean, rel=1e-12)
         assert {**vars(a), "mean": 0} == {**vars(b), "mean": 0}
-    assert (found.cells, found.degenerate_cells) == (expected.cells, expected.degenerate_cells)
+    names = ("cells", "degenerate_cells", "inverted", "inverted_cells")
+    assert all(getattr(found, name) == getattr(expected, name) for name in names)
+    assert found.doubled is None
     for name, values in mesh_qualities(mesh, ["thickness", "fatness"]).items():
         assert np.array_equal(values, arrays[name], equal_nan=True)
 

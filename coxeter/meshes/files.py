@@ -90,8 +90,9 @@ TETGEN = (".node", ".ele")
 def read_mesh(path: str | os.PathLike[str]) -> Mesh:
     """The simplices of a mesh file, with their data.
 
-    Of a file with cells of several kinds the tetrahedra are taken, or the triangles if there are none; a
-    warning says what was left out. The arrays of an NPZ file stay on disk until they are used.
+    Of a file with cells of several kinds the tetrahedra are taken, or the triangles if there are none, and of
+    curved ones their corners; a warning says what was left out. The arrays of an NPZ file stay on disk until
+    they are used.
 
     Parameters
     ----------
