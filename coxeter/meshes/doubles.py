@@ -19,26 +19,30 @@ def doubled_cells(mesh: Mesh, chunk: int) -> NDArray[np.int64]:
     [2]
     """
     shares = len(mesh) // AT_ONCE + 1
-    found = [_doubled(mesh, chunk, shares, share) for share in range(shares)]
+    found = [_doubled(mesh, *_keyed(mesh, chunk, shares, share)) for share in range(shares)]
     return np.sort(np.concatenate(found))
 
 
-def _doubled(mesh: Mesh, chunk: int, shares: int, share: int) -> NDArray[np.int64]:
-    """Those among the cells whose keys leave a given remainder."""
+def _doubled(mesh: Mesh, keys: NDArray[np.uint64], numbers: NDArray[np.int64]) -> NDArray[np.int64]:
+    order = np.argsort(keys, kind="stable")
+    ordered = keys[order]
+    same = np.flatnonzero(
+        ordered[1:] == ordered[:-1]
+    )  # places of two that share a key, and perhaps their points
+    cells = numbers[order[np.union1d(same, same + 1)]]
+    _, first = np.unique(np.sort(mesh.cells[cells], axis=1), axis=0, return_index=True)
+    return np.delete(cells, first)
+
+
+def _keyed(mesh: Mesh, chunk: int, shares: int, share: int) -> tuple[NDArray[np.uint64], NDArray[np.int64]]:
+    """The keys that leave a given remainder, and the numbers of their cells."""
     keys, numbers = [], []
     for i in range(0, max(len(mesh), 1), chunk):
         of_chunk = _keys(mesh.cells[i : i + chunk])
         ours = np.flatnonzero(of_chunk % np.uint64(shares) == share)
         keys.append(of_chunk[ours])
         numbers.append(ours + i)
-    key, number = np.concatenate(keys), np.concatenate(numbers)
-    order = np.argsort(key, kind="stable")
-    same = np.flatnonzero(
-        np.diff(key[order]) == 0
-    )  # places of two that share a key, and perhaps their points
-    cells = number[order[np.union1d(same, same + 1)]]
-    _, first = np.unique(np.sort(mesh.cells[cells], axis=1), axis=0, return_index=True)
-    return np.delete(cells, first)
+    return np.concatenate(keys), np.concatenate(numbers)
 
 
 def _keys(cells: NDArray[np.int64]) -> NDArray[np.uint64]:
