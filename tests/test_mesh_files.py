@@ -343,6 +343,23 @@ def test_a_surface_of_pyvista_and_a_mixed_grid():
     )
     with pytest.warns(UserWarning, match="1 of type line"):
         assert len(from_pyvista(mixed)) == 1
+    parts = pyvista.MultiBlock([to_pyvista(some_mesh()), to_pyvista(some_mesh())])
+    assert len(from_pyvista(parts)) == 2 * len(some_mesh())
+
+
+def test_verdict_finds_the_same():
+    """VTK's library of quality measures; where smaller is better, 1 over ours."""
+    points = np.random.default_rng(0).normal(size=(200, 4, 3))
+    points[Simplices(points).negative, :2] = points[Simplices(points).negative, 1::-1]
+    mesh = Mesh(points.reshape(-1, 3), np.arange(800).reshape(-1, 4))
+    ours, grid = mesh_qualities(mesh), to_pyvista(mesh)
+    for name, value in {
+        "shape": ours["mean_ratio"],
+        "condition": 1 / ours["condition"],
+        "radius_ratio": 1 / ours["radius_ratio"],
+        "aspect_ratio": 1 / ours["inradius_to_longest_edge"],
+    }.items():
+        assert grid.cell_quality(name)[name] == pytest.approx(value, rel=1e-9), name
 
 
 @pytest.mark.parametrize("d", [2, 3, 5])

@@ -117,7 +117,8 @@ def to_pyvista(mesh: Mesh) -> Any:
 def from_pyvista(dataset: Any) -> Mesh:
     """The tetrahedra of a PyVista dataset, or else its triangles; warnings as those of `from_meshio`."""
     pyvista = library("pyvista")
-    grid = dataset.cast_to_unstructured_grid()
+    several = isinstance(dataset, pyvista.MultiBlock)  # as the readers of some formats return it
+    grid = dataset.combine() if several else dataset.cast_to_unstructured_grid()
     types = pyvista.CellType
     names = {
         int(types.TRIANGLE): "triangle", int(types.QUADRATIC_TRIANGLE): "triangle6",
