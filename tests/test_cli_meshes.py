@@ -253,6 +253,11 @@ def test_a_quality_that_cannot_be_told_is_one_sentence(capsys, square, monkeypat
     assert words in err
 
 
+def test_an_unknown_measure_is_refused_before_the_work(capsys, square, monkeypatch):
+    monkeypatch.setattr("coxeter.cli.meshes.read_mesh", None)
+    assert "'beauty' is no quality measure" in run(capsys, "quality", square, "--measure", "beauty")[2]
+
+
 def test_one_is_singular_and_bars_are_for_reading(capsys, tmp_path):
     write_mesh(Mesh([[0, 0, 0], [1, 0, 0], [0, 1, 0], [0, 0, 1]], [[0, 1, 2, 3]]), tmp_path / "one.vtu")
     assert "1 tetrahedron\n" in run(capsys, "quality", tmp_path / "one.vtu")[1]

@@ -14,6 +14,7 @@ from ..meshes import Mesh, QualityReport, mesh_qualities, quality_report, read_m
 from ..meshes.files import FORMATS, NPZ, check_path
 from ..meshes.judging import CHUNK
 from ..meshes.reporting import MeasureReport
+from ..quality import find_measure
 from .common import Answer, integer, words
 from .console import progress
 from .loading import add_load, measures_of
@@ -139,6 +140,8 @@ def _patch(grid: Grid, options: argparse.Namespace) -> Mesh:
 
 def _quality(options: argparse.Namespace) -> Answer:
     with measures_of(options.load):
+        for name in options.measure or ():
+            find_measure(name)  # before a long file is read
         reports = [(name, *_judged(name, options)) for name in options.files]
     if options.json:
         data = [{"file": name, "notes": notes, **report.data()} for name, report, notes in reports]
