@@ -95,7 +95,7 @@ def test_of_several_one_is_chosen_and_size_is_told(folder):
         ("x = 1\n\ny = 1 / 0", "mine.py, line 3: ZeroDivisionError: division by zero"),
         ("import coxeter\ndef f(:", "mine.py, line 2: SyntaxError"),
         ("import sys\nsys.exit(3)", "mine.py, line 2: SystemExit: 3"),
-        ("import coxeter\ncoxeter.measure('thickness')", "line 2: InvalidInput: there is already a measure"),
+        ("import coxeter\ncoxeter.measure('thickness')(abs)", "line 2: InvalidInput: there is already a"),
         (b"\xff\xfe", "mine.py cannot be read as Python"),
         (
             HEAD + "x = 0\n    return 1 / x",

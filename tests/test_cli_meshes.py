@@ -186,7 +186,8 @@ def test_quality_tells_of_each_file(capsys, square, tmp_path):
     status, out, err = run(capsys, "quality", square, tmp_path / "regular.npz")
     assert (status, err) == (0, "")
     first, second = out.split("\n\n" + str(tmp_path))
-    for text in ("4 triangles", "1 degenerate to rounding, left out below: 2", *MEASURES, *MESH_MEASURES):
+    faults = "1 degenerate to rounding, left out below: 2\n1 inverted, oriented negatively: 1\nnone doubled"
+    for text in ("4 triangles", faults, *MEASURES, *MESH_MEASURES):
         assert text in first
     values = mesh_qualities(read_mesh(square))
     row = next(line for line in first.splitlines() if line.startswith("thickness "))
@@ -194,7 +195,7 @@ def test_quality_tells_of_each_file(capsys, square, tmp_path):
     assert row.split()[-1] == "3"
     assert "1 simplex of dimension 4" in second
     assert "minimal_solid_angle is left out: " in second
-    assert "none degenerate" in second
+    assert "none degenerate, none doubled" in second
 
 
 def test_quality_draws_a_histogram(capsys, square):
@@ -250,6 +251,11 @@ def test_a_quality_that_cannot_be_told_is_one_sentence(capsys, square, monkeypat
     assert (status, out) == (2, "")
     assert err.count("\n") == 1
     assert words in err
+
+
+def test_an_unknown_measure_is_refused_before_the_work(capsys, square, monkeypatch):
+    monkeypatch.setattr("coxeter.cli.meshes.read_mesh", None)
+    assert "'beauty' is no quality measure" in run(capsys, "quality", square, "--measure", "beauty")[2]
 
 
 def test_one_is_singular_and_bars_are_for_reading(capsys, tmp_path):

@@ -2,6 +2,7 @@
 
 import sys
 import warnings
+from itertools import combinations
 
 import meshio
 import numpy as np
@@ -15,6 +16,7 @@ from coxeter.meshes import (
     from_gudhi,
     from_meshio,
     from_pyvista,
+    mesh_qualities,
     quality_report,
     read_mesh,
     to_gudhi,
@@ -152,7 +154,8 @@ def test_h5py_reads_med(tmp_path):
         )
         arrays = {name.rsplit("/", 1)[1]: x[:] for name, x in found}
     assert np.array_equal(arrays["COO"].reshape(3, -1).T, mesh.points)
-    assert np.array_equal(np.sort(arrays["NOD"].reshape(4, -1).T), np.sort(mesh.cells + 1))
+    assert np.array_equal(arrays["NOD"].reshape(4, -1).T, mesh.cells[:, [0, 2, 1, 3]] + 1)  # as Salome orders
+    assert np.array_equal(read_mesh(tmp_path / "mesh.med").cells, mesh.cells)
 
 
 # -- interrupted -----------------------------------------------------------------------------------------
@@ -284,6 +287,29 @@ def test_of_several_kinds_the_simplices_of_largest_dimension_are_taken(tmp_path)
         read_mesh(tmp_path / "quads.vtu")
 
 
+@pytest.mark.parametrize(
+    ("kind", "d", "name"), [("tetra", 3, "QUADRATIC_TETRA"), ("triangle", 2, "QUADRATIC_TRIANGLE")]
+)
+def test_of_curved_simplices_the_corners_are_taken(tmp_path, kind, d, name):
+    import pyvista
+
+    corners = some_mesh(d)
+    pairs = list(combinations(range(d + 1), 2))
+    middles = np.concatenate([corners.points[corners.cells[:, pair]].mean(axis=1) for pair in pairs])
+    numbers = len(corners.points) + np.arange(len(middles)).reshape(len(pairs), -1).T
+    curved, points = np.hstack([corners.cells, numbers]), np.vstack([corners.points, middles])
+    block = (f"{kind}{curved.shape[1]}", curved)
+    meshio.write(tmp_path / "curved.vtu", meshio.Mesh(points, [block, (kind, corners.cells[:5])]))
+    grid = pyvista.UnstructuredGrid({pyvista.CellType[name]: curved}, points)
+    words = f"only the corners were taken of {len(curved)} of type {block[0]}$"
+    with pytest.warns(UserWarning, match=words):
+        found = read_mesh(tmp_path / "curved.vtu")
+    with pytest.warns(UserWarning, match=words):
+        assert np.array_equal(from_pyvista(grid).cells, corners.cells)
+    assert np.array_equal(found.cells, np.vstack([corners.cells, corners.cells[:5]]))
+    assert quality_report(found, ["thickness"]).measures[0].min == mesh_qualities(corners)["thickness"].min()
+
+
 # -- other libraries -------------------------------------------------------------------------------------
 
 
@@ -317,6 +343,23 @@ def test_a_surface_of_pyvista_and_a_mixed_grid():
     )
     with pytest.warns(UserWarning, match="1 of type line"):
         assert len(from_pyvista(mixed)) == 1
+    parts = pyvista.MultiBlock([to_pyvista(some_mesh()), to_pyvista(some_mesh())])
+    assert len(from_pyvista(parts)) == 2 * len(some_mesh())
+
+
+def test_verdict_finds_the_same():
+    """VTK's library of quality measures; where smaller is better, 1 over ours."""
+    points = np.random.default_rng(0).normal(size=(200, 4, 3))
+    points[Simplices(points).negative, :2] = points[Simplices(points).negative, 1::-1]
+    mesh = Mesh(points.reshape(-1, 3), np.arange(800).reshape(-1, 4))
+    ours, grid = mesh_qualities(mesh), to_pyvista(mesh)
+    for name, value in {
+        "shape": ours["mean_ratio"],
+        "condition": 1 / ours["condition"],
+        "radius_ratio": 1 / ours["radius_ratio"],
+        "aspect_ratio": 1 / ours["inradius_to_longest_edge"],
+    }.items():
+        assert grid.cell_quality(name)[name] == pytest.approx(value, rel=1e-9), name
 
 
 @pytest.mark.parametrize("d", [2, 3, 5])

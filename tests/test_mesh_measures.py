@@ -319,7 +319,7 @@ def test_the_default_stays_the_four_of_the_paper():
     assert tuple(MEASURES.values()) == PAPER_MEASURES
     assert set(coxeter.qualities(corner(3))) == {m.name for m in PAPER_MEASURES}
     with pytest.raises(InvalidInput, match="already a measure 'edge_ratio'"):
-        coxeter.measure("edge_ratio")
+        coxeter.measure("edge_ratio")(abs)
     with pytest.raises(InvalidInput, match=r"there are aspect_ratio, .*, minimal_solid_angle"):
         find_measure("girth")
 

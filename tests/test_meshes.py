@@ -2,8 +2,10 @@
 
 import tracemalloc
 from fractions import Fraction
+from itertools import combinations
 
 import numpy as np
+import oracle
 import pytest
 from hypothesis import given
 from hypothesis import strategies as st
@@ -13,7 +15,7 @@ from coxeter import Simplex, measure, regular_simplex, sqrt, triangulation, tria
 from coxeter.errors import DegenerateSimplex, InvalidInput, Unavailable
 from coxeter.meshes import Mesh, Simplices, mesh_qualities, quality_report
 from coxeter.meshes.simplices import POOR
-from coxeter.quality import MEASURES, MESH_MEASURES, find_measure
+from coxeter.quality import MEASURES, MESH_MEASURES, find_measure, root
 
 ALL = [*MEASURES, *MESH_MEASURES]
 LENGTHS = [
@@ -26,6 +28,7 @@ LENGTHS = [
     "minimal_height",
     "inradius",
     "circumradius",
+    "squared_circumradius",
     "sum_of_inverse_squared_heights",
 ]
 ANGLES = ["minimal_dihedral_angle", "maximal_dihedral_angle"]
@@ -44,14 +47,17 @@ def compare(exact, one):
         value = float(getattr(exact, name))
         assert getattr(one, name).shape == (1,)
         assert getattr(one, name)[0] == pytest.approx(value, rel=1e-9), name
-    assert one.heights[0] == pytest.approx([float(x) for x in exact.heights], rel=1e-9)
-    cosines = [
-        [-1 if i == j else float(exact.dihedral_cosine(i, j)) for i in range(d + 1)] for j in range(d + 1)
-    ]
-    assert np.allclose(one.dihedral_cosines[0], cosines, rtol=0, atol=1e-9)
+    assert one.heights[:, 0] == pytest.approx([float(x) for x in exact.heights], rel=1e-9)
+    squares = [float(x) for x in exact.squared_heights]
+    assert one.squared_heights[:, 0] == pytest.approx(squares, rel=1e-9)
+    for i, j in combinations(range(d + 1), 2):
+        assert one.dihedral_cosine(i, j)[0] == pytest.approx(float(exact.dihedral_cosine(i, j)), abs=1e-9)
+        angle = float(exact.dihedral_angle_in_degrees(i, j))
+        assert one.dihedral_angle_in_degrees(i, j)[0] == pytest.approx(angle, rel=1e-9, abs=1e-9)
     if d in (2, 3):
-        solid = float(exact.minimal_solid_angle)
-        assert one.minimal_solid_angle[0] == pytest.approx(solid, rel=1e-9)
+        solid = [float(exact.solid_angle(k)) for k in range(d + 1)]
+        assert [one.solid_angle(k)[0] for k in range(d + 1)] == pytest.approx(solid, rel=1e-9)
+        assert one.minimal_solid_angle[0] == pytest.approx(min(solid), rel=1e-9)
 
 
 @pytest.mark.parametrize("kind", triangulations_up_to(8), ids=str)
@@ -66,6 +72,8 @@ def test_random_simplices_as_the_exact_core_has_them(points):
     one = Simplices(floats(points)[None])
     assert one.error[0] < 1e-9
     compare(exact, one)
+    edges = [oracle.minus(u, points[0]) for u in points[1:]]
+    assert one.negative[0] == (len(edges) == len(points[0]) and oracle.determinant(edges) < 0)
 
 
 @given(simplices(min_dimension=2, max_dimension=3))
@@ -139,8 +147,9 @@ def test_very_small_and_very_large_simplices(factor):
     corners = np.random.default_rng(1).normal(size=(20, 4, 3))
     here, there = mesh_qualities(corners), mesh_qualities(corners * 2.0 ** int(np.log2(factor) / 2))
     assert all(np.allclose(here[name], there[name], rtol=1e-12) for name in here)
-    with pytest.raises(InvalidInput, match="scale all"):
-        Simplices(corners * factor)
+    for beyond in (factor, factor**2, factor**3):
+        with pytest.raises(InvalidInput, match="scale all"):
+            Simplices(corners * beyond)
 
 
 @pytest.mark.parametrize(
@@ -195,6 +204,13 @@ def test_where_smaller_is_better_the_worst_cell_is_the_largest():
     "function",
     [
         lambda simplex: sqrt(min(simplex.squared_heights)),
+        lambda simplex: np.min([simplex.squared_edge_lengths[0, 1]]) / simplex.squared_longest_edge,
+        lambda simplex: np.max(simplex.squared_heights) / simplex.squared_longest_edge,
+        lambda simplex: sqrt(
+            simplex.inradius if isinstance(simplex, Simplex) else np.array(simplex.inradius)
+        ),
+        lambda simplex: simplex.inradius if simplex.maximal_dihedral_angle > 70 else 1,
+        lambda simplex: simplex.inradius[0] if hasattr(simplex, "corners") else simplex.inradius,
         lambda simplex: simplex.inradius / (2 if simplex.dimension > 1 else 1) * len(simplex.vertices),
         lambda simplex: simplex.minimal_height * simplex.gram_determinant,
     ],
@@ -208,12 +224,53 @@ def test_a_measure_that_arrays_cannot_have_is_refused_and_left_out(function):
     assert [x.measure for x in report.measures] == ALL
 
 
+def test_what_a_simplex_and_an_array_of_them_both_know():
+    """Measures as one writes them, with a least, a choice and a constant: one by one, and all at once."""
+
+    def sine(simplex):  # of the angle nearest to 0 or 180 degrees
+        cosines = [simplex.dihedral_cosine(i, j) for i, j in combinations(range(simplex.dimension + 1), 2)]
+        return root(1 - np.maximum.reduce([x**2 for x in cosines]), 2)
+
+    def mean_angle(simplex):
+        pairs = combinations(range(simplex.dimension + 1), 2)
+        return sum(simplex.dihedral_angle_in_degrees(i, j) for i, j in pairs) / 6
+
+    def heights(simplex):
+        return sum(simplex.heights) / simplex.longest_edge
+
+    def squares(simplex):
+        return np.minimum.reduce(list(simplex.squared_heights)) / simplex.squared_circumradius
+
+    def chosen(simplex):
+        good = simplex.minimal_dihedral_angle > 50
+        return np.where(good, simplex.inradius, simplex.minimal_height) / simplex.circumradius
+
+    functions = (sine, mean_angle, heights, squares, chosen, lambda simplex: simplex.dimension)
+    shapes = [triangulation(kind).simplex for kind in ("B~3", "C~3")]
+    many = np.array([floats(x.vertices) for x in shapes])
+    for i, function in enumerate(functions):
+        known = measure(f"number {i}")(function)
+        expected = [float(known.normalized(x)) for x in shapes]
+        assert mesh_qualities(many, [known])[known.name] == pytest.approx(expected, rel=1e-9)
+
+
+def test_an_error_that_comes_later_is_told_too():
+    @measure("late")
+    def late(simplex):
+        if isinstance(simplex, Simplices) and len(simplex) > 2:
+            raise RuntimeError("too many")
+        return simplex.inradius / simplex.circumradius
+
+    with pytest.raises(InvalidInput, match=r"'late' cannot be .* RuntimeError: too many \(.*line"):
+        quality_report(np.eye(3)[[[0, 1, 2]] * 3], [late])
+
+
 def test_a_measure_that_is_wrong_of_arrays_is_found_out():
     @measure("biased")
     def biased(simplex):
         return simplex.minimal_height * (2 if hasattr(simplex, "corners") else 1)
 
-    with pytest.raises(InvalidInput, match="without branches"):
+    with pytest.raises(InvalidInput, match="of the same in an array"):
         mesh_qualities(np.eye(3)[None], [biased])
 
 
@@ -264,6 +321,42 @@ def test_a_report_is_what_numpy_says(chunk):
         assert np.allclose(x.edges, np.linspace(0, 1, 7))
         assert sum(x.counts) == len(known)
         assert np.abs(np.array(x.counts) - np.histogram(known, 6, (0, 1))[0]).max() <= 1
+
+
+@pytest.mark.parametrize(("d", "m"), [(2, 2), (3, 3), (4, 4), (2, 3)])
+@pytest.mark.parametrize("at_once", [7, 10**6])
+def test_inverted_and_doubled_cells_are_counted_and_named(monkeypatch, d, m, at_once):
+    monkeypatch.setattr("coxeter.meshes.doubles.AT_ONCE", at_once)
+    rng = np.random.default_rng(d)
+    points, cells = rng.normal(size=(8, m)), rng.integers(0, 8, size=(300, d + 1))
+    report = quality_report(Mesh(points, cells), ["thickness"], chunk=64)
+    sorted_cells = np.sort(cells, axis=1).tolist()
+    doubled = [i for i, cell in enumerate(sorted_cells) if cell in sorted_cells[:i]]
+    assert (report.doubled, report.doubled_cells) == (len(doubled), doubled[:10])
+    assert len(doubled) > 20
+    if d == m:
+        edges = points[cells[:, 1:]] - points[cells[:, :1]]
+        inverted = np.flatnonzero(
+            (np.linalg.det(edges) < 0) & [len(set(cell)) == d + 1 for cell in sorted_cells]
+        )
+        assert (report.inverted, report.inverted_cells) == (len(inverted), inverted[:10].tolist())
+    else:
+        assert (report.inverted, report.inverted_cells) == (None, [])
+
+
+def test_keys_that_collide_convict_no_cell(monkeypatch):
+    monkeypatch.setattr("coxeter.meshes.doubles._keys", lambda cells: np.zeros(len(cells), np.uint64))
+    mesh = Mesh(np.eye(4)[:, :2], [[0, 1, 2], [1, 2, 3], [2, 0, 1], [0, 1, 3]])
+    assert quality_report(mesh, ["thickness"]).doubled_cells == [2]
+
+
+def test_a_plane_in_space_has_an_orientation_and_a_surface_has_none():
+    flat = np.array([[0, 0, 5], [1, 0, 5], [0, 1, 5], [1, 1, 5]])
+    cells = [[0, 1, 2], [1, 2, 3]]
+    assert quality_report(Mesh(flat, cells), ["thickness"]).inverted_cells == [1]
+    assert quality_report(flat[cells], ["thickness"]).doubled is None
+    flat[0, 2] = 6
+    assert quality_report(Mesh(flat, cells), ["thickness"]).inverted is None
 
 
 def test_a_histogram_reaches_beyond_1_where_values_do():
@@ -326,7 +419,9 @@ def test_dask_says_the_same_on_two_workers():
     for a, b in zip(found.measures, expected.measures, strict=True):
         assert a.mean == pytest.approx(b.mean, rel=1e-12)
         assert {**vars(a), "mean": 0} == {**vars(b), "mean": 0}
-    assert (found.cells, found.degenerate_cells) == (expected.cells, expected.degenerate_cells)
+    names = ("cells", "degenerate_cells", "inverted", "inverted_cells")
+    assert all(getattr(found, name) == getattr(expected, name) for name in names)
+    assert found.doubled is None
     for name, values in mesh_qualities(mesh, ["thickness", "fatness"]).items():
         assert np.array_equal(values, arrays[name], equal_nan=True)
 

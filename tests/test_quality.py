@@ -1,5 +1,6 @@
 """The four measures, their normalisation, and measures that a user adds."""
 
+import math
 import warnings
 from fractions import Fraction
 from math import factorial
@@ -10,6 +11,7 @@ from strategies import simplices
 
 from coxeter import (
     MEASURES,
+    CoxeterError,
     InexactInput,
     InvalidInput,
     Simplex,
@@ -22,6 +24,7 @@ from coxeter import (
     radius_ratio,
     regular_simplex,
     sqrt,
+    symbolic_simplex,
     thickness,
     triangulation,
 )
@@ -192,7 +195,51 @@ def test_what_cannot_be_normalised_is_refused():
 @pytest.mark.parametrize("name", FOUR)
 def test_a_name_is_taken_once(name):
     with pytest.raises(InvalidInput, match=f"there is already a measure '{name}': give another name"):
+        measure(name)(abs)
+
+
+@pytest.mark.usefixtures("added")
+def test_a_cell_that_is_run_again_defines_its_measure_anew():
+    for share in (1, 2):
+
+        @measure("again")
+        def again(simplex, share=share):
+            return share * simplex.inradius / simplex.circumradius
+
+    assert find_measure("again")(corner(2)) == again(corner(2)) == 2 * radius_ratio(corner(2))
+    with pytest.raises(InvalidInput, match="already a measure 'again'"):
+
+        @measure("again")
+        def another(simplex):
+            return simplex.inradius
+
+
+@pytest.mark.parametrize("name", [abs, "", " ", 3])
+def test_what_is_no_name_is_refused(name):
+    with pytest.raises(InvalidInput, match=r'is no name: put @measure\("my name"\)'):
         measure(name)
+
+
+@pytest.mark.usefixtures("added")
+def test_roots_that_are_not_exact_are_told_those_that_are():
+    for function in (
+        lambda simplex: simplex.volume ** (1 / simplex.dimension),
+        lambda simplex: math.sqrt(simplex.volume),
+    ):
+        with pytest.raises(CoxeterError, match=r"coxeter\.sqrt and coxeter\.quality\.root"):
+            measure("volume root")(function)(corner(3))
+    angle = measure("angle", per_dimension=True)(lambda simplex: simplex.minimal_dihedral_angle)
+    with pytest.raises(InvalidInput, match=r"the angle .* has no root"):
+        angle.normalized(triangulation("C~3"))
+
+
+@pytest.mark.usefixtures("added")
+def test_a_symbolic_simplex_gets_numbers_and_refusals_too():
+    simplex = symbolic_simplex("B~d")
+    assert measure("two")(lambda simplex: 2).normalized(simplex) == 1
+    for value, words in (("good", "gives no exact number"), (0.5, "inexact"), (-1, "is -1 of the regular")):
+        with pytest.raises(CoxeterError, match=words):
+            measure("mine")(lambda simplex, value=value: value).normalized(simplex)
 
 
 def test_an_unknown_measure_is_told_those_there_are():

@@ -14,6 +14,7 @@ from ..meshes import Mesh, QualityReport, mesh_qualities, quality_report, read_m
 from ..meshes.files import FORMATS, NPZ, check_path
 from ..meshes.judging import CHUNK
 from ..meshes.reporting import MeasureReport
+from ..quality import find_measure
 from .common import Answer, integer, words
 from .console import progress
 from .loading import add_load, measures_of
@@ -23,6 +24,12 @@ if TYPE_CHECKING:
 
 BAR = 40
 """The longest bar of a histogram."""
+FAULTS = {
+    "degenerate": " to rounding, left out below",
+    "inverted": ", oriented negatively",
+    "doubled": ", with the points of one before",
+}
+"""What may be wrong with cells, and what is said of it."""
 MOST_BINS = 1000
 """More bars than this nobody reads."""
 
@@ -133,6 +140,8 @@ def _patch(grid: Grid, options: argparse.Namespace) -> Mesh:
 
 def _quality(options: argparse.Namespace) -> Answer:
     with measures_of(options.load):
+        for name in options.measure or ():
+            find_measure(name)  # before a long file is read
         reports = [(name, *_judged(name, options)) for name in options.files]
     if options.json:
         data = [{"file": name, "notes": notes, **report.data()} for name, report, notes in reports]
@@ -162,12 +171,16 @@ def _sheet(name: str, report: QualityReport, notes: list[str], normalised: bool)
     kind = kinds.get(d, (f"simplex of dimension {d}", f"simplices of dimension {d}"))
     yield f"{name}: {_count(report.cells, *kind)}"
     yield from notes
-    if report.degenerate:
-        first = ", ".join(map(str, report.degenerate_cells))
-        more = ", ..." if report.degenerate > len(report.degenerate_cells) else ""
-        yield f"{report.degenerate} degenerate to rounding, left out below: {first}{more}"
-    else:
-        yield "none degenerate"
+    none = []
+    for name, what in FAULTS.items():
+        number, first = getattr(report, name), getattr(report, f"{name}_cells")
+        if number:
+            more = ", ..." if number > len(first) else ""
+            yield f"{number} {name}{what}: {', '.join(map(str, first))}{more}"
+        elif number == 0:
+            none.append(f"none {name}")
+    if none:
+        yield ", ".join(none)
     if report.cells > report.degenerate:
         yield f"rounding of lengths, heights and volumes: at most {report.error:.1g} of them"
     yield "1 is the regular simplex; larger is better" if normalised else "raw values"

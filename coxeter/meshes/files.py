@@ -42,6 +42,8 @@ class Format(NamedTuple):
         What meshio's writer is told.
     buffered
         Whether it is written to memory first: where the disk is full, the HDF5 library may crash.
+    mirrored
+        Whether its tetrahedra are those of the others in a mirror, which meshio does not know.
     """
 
     name: str
@@ -52,6 +54,7 @@ class Format(NamedTuple):
     flat: bool = False
     options: tuple[tuple[str, Any], ...] = ()
     buffered: bool = False
+    mirrored: bool = False
 
 
 ALL = ("point_data", "cell_data")
@@ -60,7 +63,7 @@ FORMATS = {
     ".vtu": Format("vtu", data=ALL),
     ".vtk": Format("vtk", data=ALL),
     ".xdmf": Format("xdmf", data=ALL, flat=True, options=(("data_format", "XML"),)),  # else a file beside it
-    ".med": Format("med", data=ALL, flat=True, buffered=True),
+    ".med": Format("med", data=ALL, flat=True, buffered=True, mirrored=True),
     ".msh": Format("gmsh", data=ALL),
     ".off": Format("off", cells=(2,)),
     ".ply": Format("ply", cells=(2,), data=("point_data",), vectors=False, narrow=True),
@@ -90,8 +93,9 @@ TETGEN = (".node", ".ele")
 def read_mesh(path: str | os.PathLike[str]) -> Mesh:
     """The simplices of a mesh file, with their data.
 
-    Of a file with cells of several kinds the tetrahedra are taken, or the triangles if there are none; a
-    warning says what was left out. The arrays of an NPZ file stay on disk until they are used.
+    Of a file with cells of several kinds the tetrahedra are taken, or the triangles if there are none, and of
+    curved ones their corners; a warning says what was left out. The arrays of an NPZ file stay on disk until
+    they are used.
 
     Parameters
     ----------
@@ -131,9 +135,17 @@ def read_mesh(path: str | os.PathLike[str]) -> Mesh:
             reason = _reason(error) if isinstance(error, Exception) else " ".join(said.getvalue().split())
             raise InvalidInput(f"{path} cannot be read as {suffix}: {reason}") from error
     try:
-        return from_meshio(found)
+        mesh = from_meshio(found)
     except InvalidInput as error:
         raise InvalidInput(f"{path}: {error}") from error
+    mesh.cells = _mirrored(mesh, suffix)
+    return mesh
+
+
+def _mirrored(mesh: Mesh, suffix: str) -> NDArray[np.int64]:
+    """The cells as a format has them, from ours, and the other way round."""
+    mirrored = suffix in FORMATS and FORMATS[suffix].mirrored and mesh.dimension == 3
+    return mesh.cells[:, [0, 2, 1, 3]] if mirrored else mesh.cells
 
 
 def _asked(path: Path, question: Callable[[Path], bool]) -> bool:
@@ -240,7 +252,7 @@ def write_mesh(mesh: Mesh, path: str | os.PathLike[str]) -> None:
     kept = {kind: _kept(getattr(mesh, kind), form, kind) for kind in ALL}
     if lost := [name for kind in ALL for name in getattr(mesh, kind) if name not in kept[kind]]:
         warnings.warn(f"{suffix} does not keep {', '.join(lost)}; .vtu would", stacklevel=2)
-    full = to_meshio(Mesh(mesh.points, mesh.cells, **kept), pad=not form.flat)
+    full = to_meshio(Mesh(mesh.points, _mirrored(mesh, suffix), **kept), pad=not form.flat)
     meshio: Any = library("meshio")
     with _replacing(path) as new, redirect_stdout(io.StringIO()) as said, redirect_stderr(said):
         target: Any = io.BytesIO() if form.buffered else new

@@ -2,7 +2,9 @@
 
 from __future__ import annotations
 
+import re
 import warnings
+from collections import Counter
 from collections.abc import Iterable, Mapping
 from importlib import import_module
 from itertools import combinations
@@ -16,6 +18,8 @@ from .mesh import Mesh
 
 KINDS = {2: "triangle", 3: "tetra"}
 """What meshio calls the simplices, by dimension."""
+Block = tuple[str, Any, Mapping[str, Any]]
+"""Cells of one type as another library has them: what it is called there, the cells, their data."""
 INSTALL = {"meshio": "coxeter-triangulations[mesh]"}
 
 
@@ -44,32 +48,40 @@ def to_meshio(mesh: Mesh, pad: bool = False) -> Any:
 
 
 def from_meshio(found: Any) -> Mesh:
-    """The tetrahedra of a `meshio.Mesh`, or else its triangles; a warning says what is left out."""
+    """The tetrahedra of a `meshio.Mesh`, or else its triangles; a warning says what is left out.
+
+    Of curved ones, such as tetra10, the corners are taken, and a warning says so.
+    """
     data = [{name: blocks[i] for name, blocks in found.cell_data.items()} for i in range(len(found.cells))]
     blocks = [(block.type, block.data, x) for block, x in zip(found.cells, data, strict=True)]
     return _chosen(found.points, blocks, found.point_data)
 
 
-def _chosen(
-    points: ArrayLike, blocks: Iterable[tuple[str, Any, Mapping[str, Any]]], point_data: Mapping[str, Any]
-) -> Mesh:
+def _chosen(points: ArrayLike, blocks: Iterable[Block], point_data: Mapping[str, Any]) -> Mesh:
     """The simplices of the largest dimension."""
     full = [block for block in blocks if len(block[1])]
-    kind = next((kind for kind in ("tetra", "triangle") if any(kind == x for x, _, _ in full)), None)
-    left: dict[str, int] = {}
-    for other, cells, _ in full:
-        left[other] = left.get(other, 0) + len(cells)
-    taken = left.pop(kind or "", 0)
-    words = ", ".join(f"{n} of type {other}" for other, n in left.items())
-    if not taken:
-        others = f"; there are {words}" if words else ""
+    simplicial = [(d, x) for x in full for d, kind in KINDS.items() if re.fullmatch(rf"{kind}\d*", x[0])]
+    if not simplicial:
+        others = f"; there are {_counted(full)}" if full else ""
         raise InvalidInput(f"there are no triangles or tetrahedra that can be read{others}")
-    if words:
-        warnings.warn(f"only cells of type {kind} were taken; left out: {words}", stacklevel=4)
-    chosen = [(cells, data) for other, cells, data in full if other == kind]
-    names = [name for name in chosen[0][1] if all(name in data for _, data in chosen)]
-    cell_data = {name: np.concatenate([np.asarray(data[name]) for _, data in chosen]) for name in names}
-    return Mesh(points, np.concatenate([cells for cells, _ in chosen]), point_data, cell_data)
+    d = max(k for k, _ in simplicial)
+    chosen = [block for k, block in simplicial if k == d]
+    if left := [block for block in full if block[0] not in {kind for kind, _, _ in chosen}]:
+        warnings.warn(f"only cells of type {KINDS[d]} were taken; left out: {_counted(left)}", stacklevel=4)
+    if curved := [block for block in chosen if block[0] != KINDS[d]]:
+        warnings.warn(f"only the corners were taken of {_counted(curved)}", stacklevel=4)
+    names = [name for name in chosen[0][2] if all(name in data for _, _, data in chosen)]
+    cell_data = {name: np.concatenate([np.asarray(data[name]) for _, _, data in chosen]) for name in names}
+    cells = np.concatenate([np.asarray(cells)[:, : d + 1] for _, cells, _ in chosen])  # corners come first
+    return Mesh(points, cells, point_data, cell_data)
+
+
+def _counted(blocks: list[Block]) -> str:
+    """How many cells there are of each type."""
+    counts: Counter[str] = Counter()
+    for kind, cells, _ in blocks:
+        counts[kind] += len(cells)
+    return ", ".join(f"{n} of type {kind}" for kind, n in counts.items())
 
 
 def _kind(mesh: Mesh) -> str:
@@ -103,14 +115,19 @@ def to_pyvista(mesh: Mesh) -> Any:
 
 
 def from_pyvista(dataset: Any) -> Mesh:
-    """The tetrahedra of a PyVista dataset, or else its triangles; a warning says what is left out."""
+    """The tetrahedra of a PyVista dataset, or else its triangles; warnings as those of `from_meshio`."""
     pyvista = library("pyvista")
-    grid = dataset.cast_to_unstructured_grid()
-    names = {int(pyvista.CellType.TRIANGLE): "triangle", int(pyvista.CellType.TETRA): "tetra"}
+    several = isinstance(dataset, pyvista.MultiBlock)  # as the readers of some formats return it
+    grid = dataset.combine() if several else dataset.cast_to_unstructured_grid()
+    types = pyvista.CellType
+    names = {
+        int(types.TRIANGLE): "triangle", int(types.QUADRATIC_TRIANGLE): "triangle6",
+        int(types.TETRA): "tetra", int(types.QUADRATIC_TETRA): "tetra10",
+    }  # fmt: skip
     blocks = []
     for code in np.unique(grid.celltypes).tolist():
         rows = np.flatnonzero(grid.celltypes == code)
-        kind = names.get(code, pyvista.CellType(code).name.lower())
+        kind = names.get(code, types(code).name.lower())
         cells = grid.cells_dict[code] if code in names else rows
         blocks.append((kind, cells, {name: np.asarray(x)[rows] for name, x in grid.cell_data.items()}))
     return _chosen(grid.points, blocks, {name: np.asarray(x) for name, x in grid.point_data.items()})

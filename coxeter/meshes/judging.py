@@ -9,15 +9,20 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from ..errors import CoxeterError, InvalidInput
+from ..errors import CoxeterError, InvalidInput, Unavailable
 from ..quality import MEASURES, MESH_MEASURES, Measure, find_measure
-from ..simplex import regular_simplex
+from ..quality.registry import told
+from ..simplex import Simplex, regular_simplex
 from .mesh import Mesh
 from .simplices import Simplices
 
 Floats = NDArray[np.float64]
 CHUNK = 1 << 14
 """So many cells at a time, unless another number is given."""
+HOW = (
+    "write it as a formula in what `Simplices` knows, with numpy.minimum.reduce for min, numpy.where for if, "
+    "and coxeter.quality.root"
+)
 Cells = Mesh | Simplices | Any
 """A mesh; simplices; or their corners, an array (n, d + 1, m), which may be of Dask."""
 
@@ -34,9 +39,17 @@ class Judge:
 
     def __call__(self, simplices: Simplices) -> Floats:
         """The values, shape (n,): NaN for a degenerate simplex."""
-        with np.errstate(all="ignore"):  # what is no number is NaN, and counted
-            values = (np.asarray(self.of(simplices), dtype=np.float64) / self.regular) ** self.power
-        if values.shape != (n := len(simplices),):
+        try:
+            with np.errstate(all="ignore"):  # what is no number is NaN, and counted
+                values = (np.asarray(self.of(simplices), dtype=np.float64) / self.regular) ** self.power
+        except (Unavailable, MemoryError):
+            raise
+        except Exception as error:
+            raise InvalidInput(
+                f"the measure {self.name!r} cannot be had of many simplices at once, as it raised "
+                f"{told(error, self.of)}; {HOW}"
+            ) from error
+        if values.shape not in ((), (n := len(simplices),)):
             raise InvalidInput(f"{self.name!r} of {n} simplices has shape {values.shape}: expected ({n},)")
         return np.where(simplices.degenerate, np.nan, values)
 
@@ -47,7 +60,8 @@ def judges(
     """The measures made ready for many d-simplices, and why others are left out.
 
     None stands for all that are registered and can be had of arrays. One that is asked for and cannot be had
-    is refused. Each is tried on the regular simplex first, on which the exact value is known.
+    is refused. Each is tried on two simplices at once, the regular one and a larger one along the edges of a
+    cube, and has to give their exact values.
     """
     ready, left_out = [], {}
     for given in [*MEASURES, *MESH_MEASURES] if measures is None else measures:
@@ -63,25 +77,19 @@ def judges(
 
 def _judge(measure: Measure[Any], d: int, normalised: bool) -> Judge:
     raw = Judge(measure.name, measure.of, measure.larger_is_better)
-    exact = float(measure.norm(d) if normalised else measure(regular_simplex(d)))
-    try:
-        found = raw(Simplices(np.eye(d + 1)[None]))[0]
-    except (CoxeterError, MemoryError):
-        raise
-    except Exception as error:
-        raise InvalidInput(
-            f"the measure {measure.name!r} cannot be had of many {d}-simplices at once ({error}): "
-            "write it with what `Simplices` knows, such as minimal_height"
-        ) from error
-    if not abs(found - exact) <= 1e-9 * abs(exact) + 1e-12:  # which lets a difference vanish but for rounding
-        raise InvalidInput(
-            f"the measure {measure.name!r} is {exact:g} of the regular {d}-simplex, but {found:g} of an "
-            "array that holds it: write it as a formula, without branches"
-        )
+    path = np.tri(d + 1, d, -1, dtype=np.int64) * 3
+    regular = float(measure.norm(d) if normalised else measure(regular_simplex(d)))
+    both = Simplices([np.eye(d + 1), np.pad(path, ((0, 0), (0, 1)))])
+    for found, exact in zip(raw(both), (regular, float(measure(Simplex(path.tolist())))), strict=True):
+        if not abs(found - exact) <= 1e-9 * abs(exact) + 1e-12:  # so a difference may vanish but for rounding
+            raise InvalidInput(
+                f"the measure {measure.name!r} is {exact:g} of a simplex, but {found:g} of the same in an "
+                f"array of two; {HOW}"
+            )
     if not normalised:
         return raw
     power = (1 / d if measure.per_dimension else 1.0) * (1 if measure.larger_is_better else -1)
-    return Judge(measure.name, measure.of, True, exact, power)
+    return Judge(measure.name, measure.of, True, regular, power)
 
 
 def mesh_qualities(

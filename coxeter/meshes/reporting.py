@@ -9,13 +9,14 @@ from __future__ import annotations
 from collections.abc import Callable, Iterable, Iterator
 from dataclasses import asdict, dataclass, field
 from functools import reduce
-from typing import Any
+from typing import Any, NamedTuple
 
 import numpy as np
 from numpy.typing import NDArray
 
 from ..errors import InvalidInput
 from ..quality import Measure
+from .doubles import doubled_cells
 from .interop import library
 from .judging import CHUNK, Cells, Floats, Judge, as_simplices, in_chunks, is_lazy, judges, whole_rows
 from .mesh import Mesh
@@ -25,7 +26,7 @@ DIGITS = 14
 """Binary digits that are kept of a value to be counted."""
 QUANTILES = (0.01, 0.05, 0.25, 0.5, 0.75, 0.95, 0.99)
 NAMED = 10
-"""So many degenerate cells are named."""
+"""So many degenerate, inverted and doubled cells are named."""
 
 
 @dataclass(frozen=True)
@@ -76,29 +77,48 @@ class Spread:
         return float(np.clip(value, self.least, self.greatest))
 
 
+class Some(NamedTuple):
+    """How many cells, and the numbers of the first of them."""
+
+    number: int
+    first: list[int]
+
+    @classmethod
+    def of(cls, cells: NDArray[np.int64]) -> Some:
+        """Those with the given numbers."""
+        return cls(len(cells), cells[:NAMED].tolist())
+
+    def add(self, other: Some, offset: int) -> Some:
+        """These and others, which are numbered from `offset`."""
+        first = [*self.first, *(k + offset for k in other.first)]
+        return Some(self.number + other.number, first[:NAMED])
+
+
 @dataclass(frozen=True)
 class Tally:
     """What is kept of some cells."""
 
     cells: int
-    degenerate: int
-    named: list[int]
+    degenerate: Some
+    inverted: Some
     error: float
     spreads: dict[str, Spread]
 
     @classmethod
     def of(cls, simplices: Simplices, ready: list[Judge]) -> Tally:
         """That of simplices."""
-        flat = np.flatnonzero(simplices.degenerate)
-        error = simplices.error[~simplices.degenerate].max(initial=0)
+        flat = simplices.degenerate
+        error = simplices.error[~flat].max(initial=0)
         spreads = {judge.name: Spread.of(judge(simplices)) for judge in ready}
-        return cls(len(simplices), len(flat), flat[:NAMED].tolist(), float(error), spreads)
+        degenerate, inverted = (Some.of(np.flatnonzero(x)) for x in (flat, simplices.negative & ~flat))
+        return cls(len(simplices), degenerate, inverted, float(error), spreads)
 
     def __add__(self, other: Tally) -> Tally:
-        spreads = {x: spread.add(other.spreads[x], self.cells) for x, spread in self.spreads.items()}
-        named = [*self.named, *(k + self.cells for k in other.named)][:NAMED]
-        error = max(self.error, other.error)
-        return Tally(self.cells + other.cells, self.degenerate + other.degenerate, named, error, spreads)
+        n = self.cells
+        spreads = {x: spread.add(other.spreads[x], n) for x, spread in self.spreads.items()}
+        degenerate = self.degenerate.add(other.degenerate, n)
+        inverted = self.inverted.add(other.inverted, n)
+        return Tally(n + other.cells, degenerate, inverted, max(self.error, other.error), spreads)
 
 
 @dataclass(frozen=True)
@@ -140,6 +160,13 @@ class QualityReport:
         How many there are, and of which dimension.
     degenerate
         How many are so flat that floats do not tell their measures; `degenerate_cells` names the first.
+    inverted
+        How many others are oriented negatively, as `Simplices.negative` says; `inverted_cells` names the
+        first. None where there is no orientation, as of triangles in space. But where all points of a `Mesh`
+        have the same third coordinate, they count as points of the plane.
+    doubled
+        How many name the same points as a cell before them; `doubled_cells` names the first. None where
+        corners were given, not a `Mesh`.
     error
         A bound for the relative rounding error of heights, radii and volumes of all other cells.
     measures
@@ -152,6 +179,10 @@ class QualityReport:
     dimension: int
     degenerate: int
     degenerate_cells: list[int]
+    inverted: int | None
+    inverted_cells: list[int]
+    doubled: int | None
+    doubled_cells: list[int]
     error: float
     measures: list[MeasureReport]
     left_out: dict[str, str]
@@ -172,8 +203,9 @@ def quality_report(
     """How the measures are distributed over the cells of a mesh.
 
     Beside the mesh it takes memory for one chunk: less than 150·(d + 1)(m + 1) bytes a cell of it, and for
-    each measure some hundred kilobytes for the values that occur. A Dask array of corners is worked on where
-    its blocks are, a block at a time on each worker.
+    each measure some hundred kilobytes for the values that occur. Then, to find doubled cells, it takes 40
+    bytes for each cell of the mesh, about 2^23 of them at a time, and more for those that are doubled. A Dask
+    array of corners is worked on where its blocks are, a block at a time on each worker.
 
     Parameters
     ----------
@@ -208,22 +240,33 @@ def quality_report(
             raise InvalidInput(f"{name} is {number}: give a number >= 1")
     if is_lazy(mesh):
         rows = whole_rows(mesh)
-        d = rows.shape[1] - 1
+        d, m = rows.shape[1] - 1, rows.shape[2]
         ready, left_out = judges(measures, d, normalised)
         parts: Iterable[Tally] = _on_workers(rows, ready)
     else:
-        whole = mesh if isinstance(mesh, Mesh) else as_simplices(mesh)
-        d = whole.dimension
+        whole = _flat(mesh) if isinstance(mesh, Mesh) else as_simplices(mesh)
+        d, m = whole.dimension, (whole.points if isinstance(whole, Mesh) else whole.corners).shape[-1]
         ready, left_out = judges(measures, d, normalised)
         parts = _in_chunks(whole, ready, chunk, progress)
     tally = reduce(Tally.__add__, parts)
     reports = [
-        _measure_report(judge, tally.spreads[judge.name], tally.degenerate, bins, normalised)
+        _measure_report(judge, tally.spreads[judge.name], tally.degenerate.number, bins, normalised)
         for judge in ready
     ]
+    unknown: tuple[int | None, list[int]] = (None, [])
+    inverted = tally.inverted if d == m else unknown
+    doubled = Some.of(doubled_cells(mesh, chunk)) if isinstance(mesh, Mesh) else unknown
     return QualityReport(
-        tally.cells, d, tally.degenerate, tally.named, tally.error, reports, left_out
+        tally.cells, d, *tally.degenerate, *inverted, *doubled, tally.error, reports, left_out
     )  # fmt: skip
+
+
+def _flat(mesh: Mesh) -> Mesh:
+    """The same without the coordinates after the d-th, if each of them is the same for all points."""
+    beyond = mesh.points[:, mesh.dimension :]
+    if not beyond.size or (beyond.min(axis=0) != beyond.max(axis=0)).any():
+        return mesh
+    return Mesh(mesh.points[:, : mesh.dimension], mesh.cells)
 
 
 def _in_chunks(

@@ -37,7 +37,7 @@ class Values(np.ndarray[Any, np.dtype[np.float64]]):
 
 
 class Simplices:
-    """n simplices of dimension d in R^m, all of whose numbers are arrays of n rows.
+    """n simplices of dimension d in R^m, whose numbers are arrays of n: with the names that a `Simplex` has.
 
     Every number is that of the given floats to a relative `error`: lengths, heights, radii and volumes
     (angles to that many radians). A simplex so flat that the error may exceed 2^-10 is *degenerate*: as an
@@ -68,12 +68,12 @@ class Simplices:
             raise InvalidInput(f"corners of shape {shape}: expected (n, d + 1, m), where d is from 1 to m")
         if not np.isfinite(self.corners).all():
             raise InvalidInput("some corners are not finite: NaN and infinity are no coordinates")
-        longest = np.sqrt(self._squared_edges.max(axis=1))
+        with np.errstate(over="ignore"):
+            sizes = np.abs(self._edges).max(axis=(1, 2), initial=0)
         reach = 2.0 ** (900 / max(self.dimension, 2))
-        if len(far := np.flatnonzero(~((longest == 0) | ((1 / reach <= longest) & (longest <= reach))))):
+        if len(far := sizes[(sizes != 0) & ~((1 / reach <= sizes) & (sizes <= reach))]):
             raise InvalidInput(
-                f"simplex {far[0]} has a longest edge of {longest[far[0]]:g}, whose powers leave the range "
-                "of floats: scale all"
+                f"a simplex has edges of about {far[0]:g}, whose powers leave the range of floats: scale all"
             )
 
     def __len__(self) -> int:
@@ -89,10 +89,15 @@ class Simplices:
 
     # -- the two matrices --------------------------------------------------------------------------------
 
+    @property
+    def _edges(self) -> Floats:
+        """The matrices with columns u_k - u_0, (n, m, d)."""
+        return (self.corners[:, 1:] - self.corners[:, :1]).swapaxes(1, 2)
+
     @cached_property
     def _factors(self) -> tuple[Floats, Floats, Floats]:
         """R and its inverse, of simplices brought to a size of about 1; and by which powers of two."""
-        edges = (self.corners[:, 1:] - self.corners[:, :1]).swapaxes(1, 2)
+        edges = self._edges
         exponents = np.frexp(np.abs(edges).max(axis=(1, 2), initial=0))[1]
         r: Floats = np.asarray(np.linalg.qr(np.ldexp(edges, -exponents[:, None, None]), mode="r"))
         flat = np.abs(np.diagonal(r, axis1=1, axis2=2)).min(axis=1) < UNIT
@@ -119,10 +124,22 @@ class Simplices:
         flat: NDArray[np.bool_] = self.error > POOR
         return flat
 
+    @cached_property
+    def negative(self) -> NDArray[np.bool_]:
+        """Which are oriented negatively, ``det(u_1 - u_0, ..., u_d - u_0) < 0``.
+
+        That is none where m > d, as then there is no sign; of degenerate ones rounding decides.
+
+        >>> Simplices([[(0, 0), (1, 0), (0, 1)], [(0, 0), (0, 1), (1, 0)]]).negative.tolist()
+        [False, True]
+        """
+        square = self.corners.shape[2] == self.dimension
+        return np.asarray(np.linalg.slogdet(self._edges)[0] < 0 if square else np.zeros(len(self), bool))
+
     def _known(self, values: Any) -> Values:
-        """An array with NaN for degenerate simplices."""
+        """An array, whose last axis is that of the simplices, with NaN for degenerate ones."""
         masked = np.array(values, dtype=np.float64)
-        masked[self.degenerate] = np.nan
+        masked[..., self.degenerate] = np.nan
         return masked.view(Values)
 
     @cached_property
@@ -137,14 +154,13 @@ class Simplices:
     def _squared_edges(self) -> Floats:
         """Of all pairs i < j, shape (n, d (d + 1) / 2)."""
         pairs = combinations(range(self.dimension + 1), 2)
-        with np.errstate(over="ignore"):
-            return np.stack([_squares(self.corners[:, i] - self.corners[:, j]) for i, j in pairs], axis=1)
+        return np.stack([_squares(self.corners[:, i] - self.corners[:, j]) for i, j in pairs], axis=1)
 
     @property
     def squared_edge_lengths(self) -> Values:
-        """The squared distance of vertices i and j at [i, j], as a `Simplex` has it: (d + 1, d + 1, n)."""
+        """The squared distance of vertices i and j at [i, j], shape (d + 1, d + 1, n)."""
         points = self.corners.swapaxes(0, 1)
-        return self._known(_squares(points[:, None] - points).swapaxes(0, 2)).swapaxes(0, 2).view(Values)
+        return self._known(_squares(points[:, None] - points))
 
     @property
     def squared_longest_edge(self) -> Values:
@@ -182,23 +198,28 @@ class Simplices:
 
     @cached_property
     def heights(self) -> Values:
-        """The height from each vertex, shape (n, d + 1): one over the length of the gradient."""
-        return self._known(self._factors[2][:, None] / np.sqrt(_squares(self._gradients)))
+        """The height from each vertex, shape (d + 1, n): one over the length of the gradient."""
+        return self._known(self._factors[2] / np.sqrt(_squares(self._gradients)).T)
+
+    @property
+    def squared_heights(self) -> Values:
+        """The squares of the heights, shape (d + 1, n)."""
+        return self._known(self.heights**2)
 
     @property
     def minimal_height(self) -> Values:
         """h, the least height, shape (n,)."""
-        return self._known(self.heights.min(axis=1))
+        return self._known(self.heights.min(axis=0))
 
     @property
     def sum_of_inverse_squared_heights(self) -> Values:
         """Σ 1 / h_k², shape (n,)."""
-        return self._known((self.heights**-2.0).sum(axis=1))
+        return self._known((self.heights**-2.0).sum(axis=0))
 
     @property
     def inradius(self) -> Values:
         """r, one over the sum of the inverse heights, shape (n,)."""
-        return self._known(1 / (1 / self.heights).sum(axis=1))
+        return self._known(1 / (1 / self.heights).sum(axis=0))
 
     @cached_property
     def circumradius(self) -> Values:
@@ -207,6 +228,11 @@ class Simplices:
         centre = np.einsum("nkj,nk->nj", inverse, (r * r).sum(axis=1)) / 2
         return self._known(np.sqrt(_squares(centre)) * size)
 
+    @property
+    def squared_circumradius(self) -> Values:
+        """R², shape (n,)."""
+        return self._known(self.circumradius**2)
+
     # -- angles ------------------------------------------------------------------------------------------
 
     @cached_property
@@ -214,40 +240,39 @@ class Simplices:
         """The inward unit normals of the facets, (n, d + 1, d)."""
         return self._gradients / np.sqrt(_squares(self._gradients))[:, :, None]
 
-    @property
-    def dihedral_cosines(self) -> Values:
-        """The cosines of the angles between facets i and j, shape (n, d + 1, d + 1), with -1 for i = j."""
-        return self._known(-self._normals @ self._normals.swapaxes(1, 2))
+    def dihedral_cosine(self, i: int, j: int) -> Values:
+        """The cosine of the angle between the facets opposite to vertices i and j, shape (n,)."""
+        return self._known(-(self._normals[:, i] * self._normals[:, j]).sum(axis=1))
+
+    def dihedral_angle_in_degrees(self, i: int, j: int) -> Values:
+        """That angle; from the sum and the difference of two normals, so it is sound near 0 and 180 too."""
+        a, b = self._normals[:, i], self._normals[:, j]
+        return self._known(np.degrees(2 * np.arctan2(np.sqrt(_squares(a + b)), np.sqrt(_squares(a - b)))))
 
     @cached_property
-    def _dihedral_angles(self) -> Values:
-        """In radians, of all pairs i < j; from sums and differences of normals, sound near 0 and π too."""
-        n = self._normals
-        halves = [
-            np.arctan2(np.sqrt(_squares(n[:, i] + n[:, j])), np.sqrt(_squares(n[:, i] - n[:, j])))
-            for i, j in combinations(range(self.dimension + 1), 2)
-        ]
-        return self._known(2 * np.stack(halves, axis=1))
+    def _dihedral_angles(self) -> Floats:
+        """Of all pairs i < j, shape (d (d + 1) / 2, n)."""
+        pairs = combinations(range(self.dimension + 1), 2)
+        return np.stack([self.dihedral_angle_in_degrees(i, j) for i, j in pairs])
 
     @property
     def minimal_dihedral_angle(self) -> Values:
         """The smallest dihedral angle in degrees, shape (n,); of segments, which have none, 0."""
-        return self._known(np.degrees(self._dihedral_angles.min(axis=1)))
+        return self._known(self._dihedral_angles.min(axis=0))
 
     @property
     def maximal_dihedral_angle(self) -> Values:
         """The largest dihedral angle in degrees, shape (n,); of segments, which have none, 0."""
-        return self._known(np.degrees(self._dihedral_angles.max(axis=1)))
+        return self._known(self._dihedral_angles.max(axis=0))
 
-    @cached_property
-    def minimal_solid_angle(self) -> Values:
-        """The smallest solid angle at a vertex, as a share of the whole sphere, shape (n,); for d = 2 and 3.
+    def solid_angle(self, k: int) -> Values:
+        """The solid angle at vertex k, as a share of the whole sphere, shape (n,); for d = 2 and 3.
 
         For d = 3 by ``tan(Ω/2) = |det(a, b, c)| / (|a||b||c| + (a·b)|c| + (b·c)|a| + (c·a)|b|)`` with the
         edges a, b, c at the vertex (van Oosterom, Strackee 1983).
         """
         if self.dimension == 2:
-            return self._known(self._dihedral_angles.min(axis=1) / (2 * math.pi))
+            return self._known(self.dihedral_angle_in_degrees(*{0, 1, 2} - {k}) / 360)
         if self.dimension != 3:
             raise Unavailable(
                 f"solid angles of {self.dimension}-simplices have no closed form in floats here: those of "
@@ -255,9 +280,13 @@ class Simplices:
             )
         r, _, size = self._factors
         corners = np.concatenate([np.zeros_like(r[:, :, :1]), r], axis=2).swapaxes(1, 2)
-        tripled = 6 * self.volume / size**3
-        angles = [_solid_angle(np.delete(corners, k, 1) - corners[:, k : k + 1], tripled) for k in range(4)]
-        return self._known(np.min(angles, axis=0) / (4 * math.pi))
+        edges = np.delete(corners, k, 1) - corners[:, k : k + 1]
+        return self._known(_solid_angle(edges, 6 * self.volume / size**3) / (4 * math.pi))
+
+    @cached_property
+    def minimal_solid_angle(self) -> Values:
+        """The smallest solid angle at a vertex, shape (n,); for d = 2 and 3."""
+        return self._known(np.min([self.solid_angle(k) for k in range(self.dimension + 1)], axis=0))
 
 
 def _solid_angle(edges: Floats, determinant: Floats) -> Floats:

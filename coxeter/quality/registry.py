@@ -10,11 +10,12 @@ from fractions import Fraction
 from functools import lru_cache
 from typing import Any, Generic, TypeVar, cast
 
-from ..errors import CoxeterError, InvalidInput
+from ..errors import CoxeterError, InexactInput, InvalidInput
 from ..exact import Angle, Surd, surd
 from ..simplex import Simplex, regular_simplex
 
 Number = Surd | Angle
+ROOTS = "; roots that stay exact are coxeter.sqrt and coxeter.quality.root"
 V = TypeVar("V")
 
 
@@ -57,13 +58,17 @@ class Measure(Generic[V]):
         except (CoxeterError, MemoryError):
             raise
         except Exception as error:
-            raise InvalidInput(f"the measure {self.name!r} raised {_told(error, self.of)}") from error
-        if isinstance(value, Angle) or not isinstance(shape, Simplex):
+            how = ROOTS if isinstance(error, TypeError) else ""
+            raise InvalidInput(f"the measure {self.name!r} raised {told(error, self.of)}{how}") from error
+        if getattr(value, "shape", None) == ():  # as numpy.where returns it
+            value = value.item()
+        if isinstance(value, Angle) or hasattr(value, "quantity"):  # or a formula in d
             return cast("V", value)
         try:
             return cast("V", surd(value))
         except CoxeterError as error:
-            raise type(error)(f"the measure {self.name!r} gives no exact number: {error}") from error
+            how = ROOTS if isinstance(error, InexactInput) else ""
+            raise type(error)(f"the measure {self.name!r} gives no exact number: {error}{how}") from error
 
     def normalized(self, simplex: object) -> V:
         """The measure divided by that of the regular simplex; to the power 1/d if `per_dimension`.
@@ -93,6 +98,7 @@ class Measure(Generic[V]):
                     "must be positive to be normalised"
                 )
         else:
+            self.norm(4)  # all families have this dimension; refuses what cannot be normalised
             regular = self(shape.regular)
         ratio = value / regular if self.larger_is_better else regular / value
         result: V = root(ratio, shape.dimension) if self.per_dimension else ratio
@@ -141,6 +147,8 @@ def root(x: Any, k: Any) -> Any:
     """
     if isinstance(x, (int, Fraction)):
         return surd(x).root(k)
+    if isinstance(x, Angle):
+        raise InvalidInput(f"the angle {x} has no root: leave per_dimension, and roots of angles, out")
     return x.root(k) if hasattr(x, "root") else x ** (1 / k)
 
 
@@ -168,8 +176,12 @@ def _depends_on_size(measure: Measure[V], d: int) -> bool:
     return not isinstance(value, Angle) and bool(measure(twice) != value)
 
 
-def _told(error: Exception, function: Any) -> str:
-    """An error in words, with the last line of the function's file that it came through."""
+def told(error: Exception, function: Any) -> str:
+    """An error in words, with the last line of the function's file that it came through.
+
+    >>> told(ZeroDivisionError("division by zero"), abs)
+    'ZeroDivisionError: division by zero'
+    """
     file = getattr(getattr(function, "__code__", None), "co_filename", None)
     lines = [x for x in traceback.extract_tb(error.__traceback__) if x.filename == file]
     place = f" ({file}, line {lines[-1].lineno})" if lines else ""
@@ -197,7 +209,8 @@ def measure(
     Parameters
     ----------
     name
-        A new name.
+        A new name. Where its function is defined again, as by a cell of a notebook that is run twice, the new
+        function takes the place of the old one.
     symbol
         LaTeX for it; the name is used if none is given.
     per_dimension
@@ -211,7 +224,7 @@ def measure(
     Raises
     ------
     InvalidInput
-        If the name is taken.
+        If the name is no text, or taken.
 
     Examples
     --------
@@ -224,14 +237,21 @@ def measure(
     4/5
     >>> del MEASURES["second over first"]
     """
-    if name in MEASURES or name in MESH_MEASURES:
-        raise InvalidInput(f"there is already a measure {name!r}: give another name")
+    if not isinstance(name, str) or not name.strip():
+        raise InvalidInput(f'{name!r} is no name: put @measure("my name") before a function of a simplex')
 
     def add(function: Callable[[Any], Any]) -> Measure[Any]:
+        if (old := MEASURES.get(name) or MESH_MEASURES.get(name)) and _place(old.of) != _place(function):
+            raise InvalidInput(f"there is already a measure {name!r}: give another name")
         among[name] = Measure(name, symbol or rf"\text{{{name}}}", function, per_dimension, larger_is_better)
         return among[name]
 
     return add
+
+
+def _place(function: Any) -> tuple[Any, Any]:
+    """Where a function is defined; what bears no name is its own place."""
+    return getattr(function, "__module__", None), getattr(function, "__qualname__", function)
 
 
 def find_measure(name: str) -> Measure[Any]:
