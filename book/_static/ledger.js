@@ -1,27 +1,10 @@
-/* The pages made from the ledger: formulas are set when they come into view, claims can be searched, filtered and
-   sorted, a link to something folded opens it. Without this script everything is there all the same. */
+/* The pages made from the ledger: claims can be searched, filtered and sorted, a link to something
+   folded opens it. Without this script everything is there all the same. */
 (() => {
   "use strict";
   const all = (selector, root = document) => [...root.querySelectorAll(selector)];
   const rows = all(".lg-claim");
   const groups = all(".lg-group");
-
-  /* Formulas: the ledger has thousands. Each row's are set once it is near the window. */
-  let queue = Promise.resolve();
-  const typeset = (boxes) => {
-    const found = boxes.flatMap((box) => all(".lg-tex", box));
-    found.forEach((formula) => { formula.className = "math notranslate nohighlight"; });
-    if (found.length) queue = queue.then(() => window.MathJax.typesetPromise(found)).catch(console.error);
-  };
-  const watch = () => {
-    const observer = new IntersectionObserver((entries) => {
-      const near = entries.filter((entry) => entry.isIntersecting).map((entry) => entry.target);
-      near.forEach((box) => observer.unobserve(box));
-      typeset(near);
-    }, { rootMargin: "300px" });
-    all(".lg-claim, .lg-item").forEach((box) => observer.observe(box));
-  };
-  addEventListener("load", () => window.MathJax?.startup?.promise.then(watch));
 
   /* Search, filter, sort. What is asked stands in the address, after the #: such a view can be linked. */
   const form = document.querySelector(".lg-controls");

@@ -1,0 +1,55 @@
+/* Formulas are set when they come near the window, the text's others while the reader reads, and all that is open
+   before the page is printed: to set all of a chapter takes seconds. What is folded waits until it is opened. */
+(() => {
+  "use strict";
+  const MARGIN = 600; // pixels above and below the window
+  const SLICE = 24; // formulas that are set at a time, in less than a tenth of a second
+  const LATER = ["lg-tex"];
+  const FORMULA = ["math", "notranslate", "nohighlight"];
+  const waiting = new Map(); // the classes that MathJax looks for
+
+  const wait = (element, now, then) => {
+    element.classList.remove(...then);
+    element.classList.add(...now);
+    waiting.set(element, then);
+  };
+  document.querySelectorAll(".lg-tex").forEach((formula) => waiting.set(formula, FORMULA));
+  const ofText = [...document.querySelectorAll(".math:not(.tex2jax_process *), .tex2jax_process")];
+  ofText.forEach((element) => wait(element, LATER, element.matches(".math") ? FORMULA : ["tex2jax_process"]));
+
+  const set = (elements) => {
+    const found = elements.filter((element) => waiting.has(element));
+    found.forEach((element) => {
+      observer.unobserve(element);
+      element.classList.remove(...LATER);
+      element.classList.add(...waiting.get(element));
+      waiting.delete(element);
+    });
+    if (found.length) window.MathJax.typeset(found);
+  };
+  const observer = new IntersectionObserver(
+    (entries) => set(entries.filter((entry) => entry.isIntersecting).map((entry) => entry.target)),
+    { rootMargin: `${MARGIN}px` },
+  );
+  const isNear = (element) => {
+    const { top, bottom, width } = element.getBoundingClientRect();
+    return width > 0 && bottom > -MARGIN && top < innerHeight + MARGIN;
+  };
+  const isOpen = (element) => !element.closest("details:not([open]) > :not(summary)");
+  const idle = window.requestIdleCallback ?? ((work) => setTimeout(work, 100));
+  const rest = () => {
+    const next = [];
+    while (ofText.length && next.length < SLICE) {
+      const element = ofText.shift();
+      if (waiting.has(element) && element.checkVisibility()) next.push(element);
+    }
+    set(next);
+    if (ofText.length) idle(rest);
+  };
+  window.MathJax?.startup?.promise?.then(() => {
+    set(ofText.filter(isNear)); // of the views' formulas most are folded, and to measure those is slow
+    waiting.forEach((_, element) => observer.observe(element));
+    setTimeout(rest, 1000); // first the reader
+    addEventListener("beforeprint", () => set([...waiting.keys()].filter(isOpen)));
+  });
+})();
