@@ -32,8 +32,8 @@
     { rootMargin: `${MARGIN}px` },
   );
   const isNear = (element) => {
-    const { top, bottom, width } = element.getBoundingClientRect();
-    return width > 0 && bottom > -MARGIN && top < innerHeight + MARGIN;
+    const { top, bottom } = element.getBoundingClientRect();
+    return bottom > -MARGIN && top < innerHeight + MARGIN;
   };
   const isOpen = (element) => !element.closest("details:not([open]) > :not(summary)");
   const idle = window.requestIdleCallback ?? ((work) => setTimeout(work, 100));
@@ -47,7 +47,7 @@
     if (ofText.length) idle(rest);
   };
   window.MathJax?.startup?.promise?.then(() => {
-    set(ofText.filter(isNear)); // of the views' formulas most are folded, and to measure those is slow
+    set(ofText.filter((element) => element.checkVisibility() && isNear(element))); // to measure what is folded is slow
     waiting.forEach((_, element) => observer.observe(element));
     setTimeout(rest, 1000); // first the reader
     addEventListener("beforeprint", () => set([...waiting.keys()].filter(isOpen)));
