@@ -361,6 +361,19 @@ def test_a_node_shows_its_card_to_pointer_and_keyboard(graph, ledger):
     assert "Lemma 1" in card.inner_text()
 
 
+def test_a_card_goes_along_when_the_keyboard_scrolls(show):
+    body = '<p style="height:3000px"><a href="y.html">here</a></p><a href="x.html">there</a>'
+    page = show(body, "cards.js", cards={"x.html": "<p>words</p>"})
+    page.keyboard.press("Tab")
+    page.keyboard.press("Tab")
+    page.wait_for_timeout(300)
+    card, link = page.locator("#cx-card"), page.get_by_text("there").bounding_box()
+    assert abs(card.bounding_box()["y"] - link["y"]) < 100
+    page.evaluate("scrollTo(0, 0)")
+    page.wait_for_timeout(300)
+    assert not card.is_visible()
+
+
 def test_a_card_stays_within_the_window(show):
     long = "words " * 80
     body = '<p style="height:700px"></p><p style="text-align:right"><a href="x.html">there</a></p>'
@@ -437,6 +450,19 @@ def test_the_ledger_is_filtered_by_section_and_family(listing):
     assert found
     assert all("E6" in id or not re.match(r"sec6\.[A-G]", id) for id in found)
     assert any(id.startswith("sec6.E6.") for id in found)
+
+
+@pytest.mark.parametrize("typed", ["B~3", "b\u03033", "B\u0303₃", r"\tilde B_3", r"\tilde{B}_{3}"])
+def test_a_type_is_found_however_it_is_written(listing, ledger, typed):
+    page = listing()
+    page.fill("[name=words]", typed)
+    page.wait_for_function("location.hash")
+    found = shown(page)
+    assert 0 < len(found) < len(ledger)
+    assert "tab-6.B.3" in found
+    page.fill("[name=words]", "B~3")
+    page.wait_for_timeout(400)
+    assert shown(page) == found
 
 
 def test_a_link_to_a_claim_opens_its_section_and_keeps_the_address(listing):
