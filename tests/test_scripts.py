@@ -143,8 +143,8 @@ def test_what_a_glance_takes_in_has_no_downloads(show, number):
 
 def test_numbers_are_numbers_in_a_download(show):
     rows = "".join(f"<tr><td>{words}</td></tr>" for words in ("27,215,450", "−1", "1,2", "Ã<br>or C̃"))
-    box = '<div class="lg-scroll" aria-label="Speed of A~"><table><thead><tr><th>n</th></tr></thead>{}</table></div>'
-    page = show(f"<h2>Other</h2>{box.format(rows)}", "tables.js")
+    table = f"<table><thead><tr><th>n</th></tr></thead>{rows}</table>"
+    page = show(f'<h2>Other</h2><div class="lg-scroll" aria-label="Speed of A~">{table}</div>', "tables.js")
     assert download(page, "CSV").splitlines() == ["n", "27215450", "-1", '"1,2"', "A~ or C~"]
     assert json.loads(download(page, "JSON"))["title"] == "Speed of A~"
     assert "27,215,450" in (tex := download(page, "LaTeX"))
@@ -161,9 +161,10 @@ def test_greek_letters_and_low_digits_have_names_in_latex(show):
 
 # -- formulas ----------------------------------------------------------------------------------------------
 
-MATHJAX = """<script>window.MathJax = { startup: { promise: Promise.resolve() }, typeset: (found) =>
-  found.forEach((x) => { x.innerHTML = x.innerHTML.replace(/\\\\\\((.*?)\\\\\\)/g, "<mjx-container>$1</mjx-container>"); }) };
-</script>"""
+MATHJAX = """<script>window.MathJax = { startup: { promise: Promise.resolve() } };
+MathJax.typeset = (found) => found.forEach((x) => {
+  x.innerHTML = x.innerHTML.replace(/\\\\\\((.*?)\\\\\\)/g, "<mjx-container>$1</mjx-container>");
+});</script>"""
 FORMULA = '<span class="math">\\(x\\)</span>'
 FAR = '<div style="height: 9000px"></div>'
 

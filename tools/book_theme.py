@@ -2,8 +2,8 @@
 
 * The theme brings each icon twice: as a font, and in a script of half a megabyte that nothing here needs.
 * A point or a comma after a formula or a badge stays on its line.
-* Formulas are set by a script only on pages that have some, and only when they are about to be seen; MathJax's
-  menu, which makes each formula a stop of the Tab key, is left away.
+* Formulas are set by a script only on pages that have some, and only when they are about to be seen.
+  MathJax's menu, which makes each formula a stop of the Tab key, is left away.
 """
 
 import re
