@@ -227,6 +227,18 @@ def test_titles_are_plain_where_no_script_sets_formulas(book):
     assert (link.get_text(), link.sub.get_text()) == ("Ãd, d ≥ 2", "d")
 
 
+def test_a_search_from_the_file_system_reads_no_other_page(book, browser):
+    out, _ = book()
+    page = browser.new_page()
+    errors = []
+    page.on("pageerror", lambda error: errors.append(str(error)))
+    page.goto(f"{(out / 'search.html').as_uri()}?q=sentence")
+    page.wait_for_selector("#search-results li a")
+    page.wait_for_timeout(300)
+    page.close()
+    assert errors == []
+
+
 # -- the parts ---------------------------------------------------------------------------------------------
 
 

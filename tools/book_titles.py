@@ -104,7 +104,7 @@ def plain_search(app: Sphinx) -> list[tuple[str, dict[str, Any], str]]:
 
 
 def _heading(words: str) -> str:
-    r"""A heading's text, whose formulas Sphinx joins to the words without a mark; a family goes without its d.
+    r"""A heading's text, whose formulas Sphinx joins to the words without a mark; a family loses its d.
 
     >>> _heading(r"Figure 4 · \tilde A_d"), _heading("B̃_d, d ≥ 3"), _heading("book_titles")
     ('Figure 4 · Ã', 'B̃, d ≥ 3', 'book_titles')

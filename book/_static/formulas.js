@@ -20,17 +20,19 @@
   const set = (elements) => {
     const found = elements.filter((element) => waiting.has(element));
     found.forEach((element) => {
-      observer.unobserve(element);
       element.classList.remove(...LATER);
       element.classList.add(...waiting.get(element));
       waiting.delete(element);
     });
     if (found.length) window.MathJax.typeset(found);
   };
-  const observer = new IntersectionObserver(
-    (entries) => set(entries.filter((entry) => entry.isIntersecting).map((entry) => entry.target)),
-    { rootMargin: `${MARGIN}px` },
-  );
+  /* A row of the ledger is set as a whole. */
+  const home = (element) => element.closest(".lg-claim, .lg-item") ?? element;
+  const observer = new IntersectionObserver((entries) => {
+    const near = entries.filter((entry) => entry.isIntersecting).map((entry) => entry.target);
+    near.forEach((box) => observer.unobserve(box));
+    set(near.flatMap((box) => [box, ...box.querySelectorAll(".lg-tex")]));
+  }, { rootMargin: `${MARGIN}px` });
   const isNear = (element) => {
     const { top, bottom } = element.getBoundingClientRect();
     return bottom > -MARGIN && top < innerHeight + MARGIN;
@@ -48,7 +50,7 @@
   };
   window.MathJax?.startup?.promise?.then(() => {
     set(ofText.filter((element) => element.checkVisibility() && isNear(element))); // to measure what is folded is slow
-    waiting.forEach((_, element) => observer.observe(element));
+    new Set([...waiting.keys()].map(home)).forEach((box) => observer.observe(box));
     setTimeout(rest, 1000); // first the reader
     addEventListener("beforeprint", () => set([...waiting.keys()].filter(isOpen)));
   });
