@@ -117,6 +117,24 @@ def cards_in(page: BeautifulSoup) -> dict[str, str]:
     return json.loads(page.find(id="cx-cards").string)
 
 
+def test_each_row_of_the_ledger_leads_to_its_chapter(book):
+    chapter = (
+        "\n## Both\n\n{badge}`lem-90` {badge}`thm-90.false`\n\n## The lemma\n\n:::{verdict} lem-90\n:::\n"
+    )
+    with patch(f"{__name__}.CHAPTER", CHAPTER + chapter):
+        out, warnings = book()
+    assert warnings == ""
+    page = soup(out / "book" / "ledger.html")
+
+    def leads(id: str) -> list[str]:
+        row = page.find(id=f"claim-{id}")
+        return [str(a["href"]) for a in row.select(".lg-meta a") if a.get_text() == "chapter"]
+
+    assert leads("lem-90") == ["../notebooks/one.html#the-lemma"]
+    assert leads("thm-90.false") == ["../notebooks/one.html#both"]
+    assert sum(len(leads(row["id"].removeprefix("claim-"))) for row in page.select(".lg-claim")) == 2
+
+
 def test_each_page_has_the_cards_of_its_links(book):
     out, warnings = book()
     assert warnings == ""
@@ -203,10 +221,22 @@ def test_titles_are_plain_where_no_script_sets_formulas(book):
     assert "\\tilde A_d" in page.h1.get_text()
     index = (out / "searchindex.js").read_text(encoding="utf-8")
     found = json.loads(index.removeprefix("Search.setIndex(").removesuffix(")"))
-    assert "Ã_d, d ≥ 2" in found["titles"]
+    assert "Ã, d ≥ 2" in found["titles"]
     assert not [title for title in [*found["titles"], *found["alltitles"]] if "\\" in title or "<" in title]
     (link,) = soup(out / "book" / "page.html").select(".body a[href*='notebooks/one']:has(sub)")
     assert (link.get_text(), link.sub.get_text()) == ("Ãd, d ≥ 2", "d")
+
+
+def test_a_search_from_the_file_system_reads_no_other_page(book, browser):
+    out, _ = book()
+    page = browser.new_page()
+    errors = []
+    page.on("pageerror", lambda error: errors.append(str(error)))
+    page.goto(f"{(out / 'search.html').as_uri()}?q=sentence")
+    page.wait_for_selector("#search-results li a")
+    page.wait_for_timeout(300)
+    page.close()
+    assert errors == []
 
 
 # -- the parts ---------------------------------------------------------------------------------------------

@@ -29,7 +29,7 @@ from coxeter.pages.corrected import sheets
 from coxeter.pages.dependencies import Dependencies, node_of
 from coxeter.pages.errata import GROUPS
 from coxeter.pages.judged import Unjudged, gravest
-from coxeter.pages.naming import Site
+from coxeter.pages.naming import Site, name_of_item
 from coxeter.pages.pills import box, pill
 from coxeter.pages.tex import to_latex
 from coxeter.pages.views import Views
@@ -254,6 +254,15 @@ def test_the_graph_has_every_item(ledger, views):
     drawn = {str(tag["data-node"]) for tag in made.find_all("a", attrs={"data-node": True})}
     assert drawn == {node_of(item) for item in items()}
     assert all(tag.title.get_text() for tag in made.find_all("a"))
+
+
+def test_every_numbered_item_is_found_in_the_graph_by_its_number(views):
+    made = soup(views.view("graph", [], SITE))
+    names = " ".join(node["data-name"] for node in made.find_all("a", class_="lg-node"))
+    numbered = [id for id in items() if re.fullmatch(r"(thm|lem|prop|cor|def)-\d+", id)]
+    assert [id for id in numbered if not re.search(rf"\b{name_of_item(id)}\b", names)] == []
+    find = made.find("input", {"name": "find"})
+    assert find["placeholder"] in names
 
 
 def test_arrows_that_are_left_out_follow_from_those_shown(ledger):

@@ -141,12 +141,74 @@ def test_what_a_glance_takes_in_has_no_downloads(show, number):
     assert page.get_by_role("button").all_inner_texts()[-1] == "Exact values"
 
 
+def test_numbers_are_numbers_in_a_download(show):
+    rows = "".join(f"<tr><td>{words}</td></tr>" for words in ("27,215,450", "−1", "1,2", "Ã<br>or C̃"))
+    table = f"<table><thead><tr><th>n</th></tr></thead>{rows}</table>"
+    page = show(f'<h2>Other</h2><div class="lg-scroll" aria-label="Speed of A~">{table}</div>', "tables.js")
+    assert download(page, "CSV").splitlines() == ["n", "27215450", "-1", '"1,2"', "A~ or C~"]
+    assert json.loads(download(page, "JSON"))["title"] == "Speed of A~"
+    assert "27,215,450" in (tex := download(page, "LaTeX"))
+    assert r"$\tilde{A}$ or $\tilde{C}$" in tex
+
+
+def test_greek_letters_and_low_digits_have_names_in_latex(show):
+    rows = "".join(f"<tr><td>{words}</td></tr>" for words in (r"\(τ_0\)", "u₁₂ = 90°", "⟨x, y⟩"))
+    text = download(show(f"<table>{rows}</table>", "tables.js"), "LaTeX")
+    assert r"${\tau}_0$" in text
+    assert r"u$_1_2$ = 90$^\circ$" in text
+    assert text.isascii()
+
+
+# -- formulas ----------------------------------------------------------------------------------------------
+
+MATHJAX = """<script>window.MathJax = { startup: { promise: Promise.resolve() } };
+MathJax.typeset = (found) => found.forEach((x) => {
+  x.innerHTML = x.innerHTML.replace(/\\\\\\((.*?)\\\\\\)/g, "<mjx-container>$1</mjx-container>");
+});</script>"""
+FORMULA = '<span class="math">\\(x\\)</span>'
+FAR = '<div style="height: 9000px"></div>'
+
+
+def unset(page):
+    return page.locator(".lg-tex").count()
+
+
+def test_formulas_far_away_are_set_later(show):
+    page = show(f"{MATHJAX}<p>{FORMULA}</p>{FAR}<p id='low'>{FORMULA}</p>", "formulas.js")
+    assert page.locator("mjx-container").count() == unset(page) == 1
+    page.wait_for_function("!document.querySelector('.lg-tex')")
+    assert page.locator(".math > mjx-container").count() == 2
+
+
+def test_formulas_are_set_when_they_are_scrolled_to(show):
+    far = f'{FAR}<p id="low"><span class="lg-tex">\\(y\\)</span></p>'
+    page = show(MATHJAX + far, "formulas.js")
+    page.wait_for_timeout(1500)
+    assert unset(page) == 1
+    page.evaluate("low.scrollIntoView()")
+    page.wait_for_selector("#low mjx-container")
+
+
 def test_formulas_are_left_until_their_fold_is_opened(show):
-    page = show('<details><summary>How</summary><span class="lg-tex">\\(d\\)</span></details>', "folds.js")
-    assert page.locator("span.lg-tex").count() == 1
+    inner = f'<span class="lg-tex">\\(d\\)</span><div class="tex2jax_process"><p>\\(y\\)</p>{FORMULA}</div>'
+    page = show(f"{MATHJAX}<details><summary>How</summary>{inner}</details>", "formulas.js")
+    page.wait_for_timeout(1500)
+    assert page.locator("mjx-container").count() == 0
     page.get_by_text("How").click()
-    page.wait_for_selector("span.math")
-    assert page.locator("span.lg-tex").count() == 0
+    page.wait_for_function("!document.querySelector('.lg-tex')")
+    assert page.locator("mjx-container").count() == 3
+    assert page.locator(".tex2jax_process, .math").count() == 3
+
+
+def test_before_printing_all_formulas_that_are_open_are_set(show):
+    page = show(
+        f"{MATHJAX}<div hidden>{FORMULA}</div>{FAR}<details open><summary>a</summary>{FORMULA}</details>"
+        f"<details><summary>{FORMULA}</summary><b>{FORMULA}</b></details>",
+        "formulas.js",
+    )
+    assert unset(page) == 4
+    page.evaluate("dispatchEvent(new Event('beforeprint'))")
+    assert page.locator("details b .lg-tex").count() == unset(page) == 1
 
 
 # -- pictures to turn ---------------------------------------------------------------------------------------
@@ -300,6 +362,19 @@ def test_a_node_shows_its_card_to_pointer_and_keyboard(graph, ledger):
     assert "Lemma 1" in card.inner_text()
 
 
+def test_a_card_goes_along_when_the_keyboard_scrolls(show):
+    body = '<p style="height:3000px"><a href="y.html">here</a></p><a href="x.html">there</a>'
+    page = show(body, "cards.js", cards={"x.html": "<p>words</p>"})
+    page.keyboard.press("Tab")
+    page.keyboard.press("Tab")
+    page.wait_for_timeout(300)
+    card, link = page.locator("#cx-card"), page.get_by_text("there").bounding_box()
+    assert abs(card.bounding_box()["y"] - link["y"]) < 100
+    page.evaluate("scrollTo(0, 0)")
+    page.wait_for_timeout(300)
+    assert not card.is_visible()
+
+
 def test_a_card_stays_within_the_window(show):
     long = "words " * 80
     body = '<p style="height:700px"></p><p style="text-align:right"><a href="x.html">there</a></p>'
@@ -376,6 +451,19 @@ def test_the_ledger_is_filtered_by_section_and_family(listing):
     assert found
     assert all("E6" in id or not re.match(r"sec6\.[A-G]", id) for id in found)
     assert any(id.startswith("sec6.E6.") for id in found)
+
+
+@pytest.mark.parametrize("typed", ["B~3", "b\u03033", "B\u0303₃", r"\tilde B_3", r"\tilde{B}_{3}"])
+def test_a_type_is_found_however_it_is_written(listing, ledger, typed):
+    page = listing()
+    page.fill("[name=words]", typed)
+    page.wait_for_function("location.hash")
+    found = shown(page)
+    assert 0 < len(found) < len(ledger)
+    assert "tab-6.B.3" in found
+    page.fill("[name=words]", "B~3")
+    page.wait_for_timeout(400)
+    assert shown(page) == found
 
 
 def test_a_link_to_a_claim_opens_its_section_and_keeps_the_address(listing):

@@ -165,8 +165,7 @@ def _about(app: Sphinx, ids: list[str]) -> str:
 
 
 def say_folds(app: Sphinx, pagename: str, template: str, context: dict[str, Any], *_: Any) -> None:
-    """The words of a fold are heard, and its formulas set when it is opened: `folds.js`."""
+    """The words of a fold are heard, and its formulas are set when it is opened."""
     if UNNAMED in context.get("body", ""):
         body = context["body"].replace(UNNAMED, "<summary>")
         context["body"] = FOLD.sub(lambda fold: fold[0].replace(f'class="{MATHS}"', f'class="{LAZY}"'), body)
-        app.add_js_file("folds.js", loading_method="defer")

@@ -7,8 +7,8 @@
 * Directives: ``{verdict}`` is a box with a verdict and what to use instead; ``{view}`` is any other view.
 * The files beside the pages are written at the end.
 
-Titles, source, cards, figures and what is mended of the theme have extensions of their own: `book_titles`,
-`book_code`, `book_cards`, `book_figures`, `book_theme`.
+Titles, source, cards, places, figures and what is mended of the theme have extensions of their own:
+`book_titles`, `book_code`, `book_cards`, `book_places`, `book_figures`, `book_theme`.
 
 An unknown claim, number or view is a warning, and a warning fails the build.
 """
@@ -72,7 +72,7 @@ def setup(app: Sphinx) -> dict[str, Any]:
     app.connect("html-page-context", mend_back_links)
     app.connect("html-collect-pages", forget_modules_without_source, priority=1)
     app.connect("build-finished", write_files)
-    for part in ("book_titles", "book_code", "book_cards", "book_figures", "book_theme"):
+    for part in ("book_titles", "book_code", "book_cards", "book_places", "book_figures", "book_theme"):
         app.setup_extension(part)
     return {"parallel_read_safe": True, "parallel_write_safe": True}
 
@@ -206,7 +206,9 @@ class VerdictDirective(SphinxDirective):
             return []
         said = self.parse_content_to_nodes() if self.content else []
         before, after = box(claims, site_from(self.env.docname))
-        return [*in_both(before, words(gravest(claims))), *said, nodes.raw("", after, format="html")]
+        opening = in_both(before, words(gravest(claims)))
+        opening[0]["claims"] = self.arguments[0]  # for `book_places`
+        return [*opening, *said, nodes.raw("", after, format="html")]
 
 
 class ViewDirective(SphinxDirective):
@@ -223,10 +225,10 @@ class ViewDirective(SphinxDirective):
         except CoxeterError as error:
             log.warning("%s", error, location=self.get_location())
             return []
-        return in_both(made, f"This is shown in the book's pages: {name}.")
+        return [*in_both(made, f"This is shown in the book's pages: {name}.")]
 
 
-def in_both(made: str, otherwise: str) -> list[nodes.Node]:
+def in_both(made: str, otherwise: str) -> list[nodes.raw]:
     """HTML, and words for all other formats."""
     return [nodes.raw("", made, format="html"), nodes.raw("", otherwise, format="latex text man texinfo")]
 

@@ -88,6 +88,12 @@
   document.addEventListener("keydown", (event) => {
     if (event.key === "Escape") hide();
   });
-  addEventListener("scroll", (event) => { if (owner && !card.contains(event.target)) hide(); }, { capture: true, passive: true });
+  /* The keyboard brings what it reaches into view, and its card goes along; a pointer stays where it is. */
+  const inView = (link) => { const { top, bottom } = link.getBoundingClientRect(); return bottom > 0 && top < innerHeight; };
+  addEventListener("scroll", (event) => {
+    if (!owner || card.contains(event.target)) return;
+    if (owner === document.activeElement && inView(owner)) place();
+    else hide();
+  }, { capture: true, passive: true });
   document.addEventListener("click", hide);
 })();

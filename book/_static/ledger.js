@@ -1,27 +1,10 @@
-/* The pages made from the ledger: formulas are set when they come into view, claims can be searched, filtered and
-   sorted, a link to something folded opens it. Without this script everything is there all the same. */
+/* The pages made from the ledger: claims can be searched, filtered and sorted, a link to something
+   folded opens it. Without this script everything is there all the same. */
 (() => {
   "use strict";
   const all = (selector, root = document) => [...root.querySelectorAll(selector)];
   const rows = all(".lg-claim");
   const groups = all(".lg-group");
-
-  /* Formulas: the ledger has thousands. Each row's are set once it is near the window. */
-  let queue = Promise.resolve();
-  const typeset = (boxes) => {
-    const found = boxes.flatMap((box) => all(".lg-tex", box));
-    found.forEach((formula) => { formula.className = "math notranslate nohighlight"; });
-    if (found.length) queue = queue.then(() => window.MathJax.typesetPromise(found)).catch(console.error);
-  };
-  const watch = () => {
-    const observer = new IntersectionObserver((entries) => {
-      const near = entries.filter((entry) => entry.isIntersecting).map((entry) => entry.target);
-      near.forEach((box) => observer.unobserve(box));
-      typeset(near);
-    }, { rootMargin: "300px" });
-    all(".lg-claim, .lg-item").forEach((box) => observer.observe(box));
-  };
-  addEventListener("load", () => window.MathJax?.startup?.promise.then(watch));
 
   /* Search, filter, sort. What is asked stands in the address, after the #: such a view can be linked. */
   const form = document.querySelector(".lg-controls");
@@ -29,8 +12,11 @@
   const sections = new Map(groups.flatMap((group) => all(".lg-claim", group).map((row) => [row, group.querySelector(".lg-group-name").textContent])));
   const homes = groups.map((group) => [group, [...group.children].slice(1)]);
   const flat = Object.assign(document.createElement("div"), { className: "lg-sorted", hidden: true });
+  /* B~3, B̃3, B̃₃ and \tilde B_3 are the same to those who search. */
+  const plain = (words) => words.normalize("NFD").toLowerCase().replace(/\\tilde\s*\{?([a-z])\}?/g, "$1~").replace(/\u0303/g, "~")
+    .replace(/[₀-₉]/g, (digit) => digit.charCodeAt(0) - 0x2080).replace(/~_\{?(\w)\}?/g, "~$1").replace(/\\[()]/g, "").replace(/\s+/g, " ").trim();
   const texts = new Map();
-  const text = (row) => texts.get(row) ?? texts.set(row, row.textContent.toLowerCase().replace(/\s+/g, " ")).get(row);
+  const text = (row) => texts.get(row) ?? texts.set(row, plain(row.textContent)).get(row);
   const has = {
     section: (row, value) => sections.get(row) === value,
     family: (row, value) => row.dataset.family?.split(" ").includes(value),
@@ -46,7 +32,7 @@
   };
   const filter = () => {
     const asked = new FormData(form);
-    const phrase = asked.get("words").toLowerCase().trim().replace(/\s+/g, " ");
+    const phrase = plain(asked.get("words"));
     const whole = phrase && rows.some((row) => text(row).includes(phrase));
     const words = whole ? [phrase] : phrase.split(" ").filter(Boolean);
     const kinds = KINDS.filter((kind) => asked.get(kind));

@@ -4,22 +4,27 @@
 (() => {
   "use strict";
   const GLANCE = 2; // rows below the head
-  const OTHERS = ".lg-errata, .lg-sheet:not(.cx-numbers), .highlighttable, .indextable, .cx-no-download";
+  const OTHERS = ".lg-errata, [class*=lg-sheet-], .cx-explorer table, .highlighttable, .indextable, .cx-no-download";
   const BOXES = ".table-box, .lg-scroll, .pst-scrollable-table-container";
   const SIGNS = {
     "–": "--", "—": "---", "…": "\\dots{}", "≥": "$\\geq$", "≤": "$\\leq$", "≈": "$\\approx$", "≠": "$\\neq$",
     "×": "$\\times$", "·": "$\\cdot$", "∞": "$\\infty$", "−": "$-$", "→": "$\\to$", "′": "$'$", "√": "$\\surd$",
     "ℝ": "$\\mathbf{R}$", "±": "$\\pm$", "²": "$^2$", "‖": "$\\|$", "∈": "$\\in$", "∎": "$\\Box$", "\u00a0": "~",
+    "°": "$^\\circ$", "⟨": "$\\langle$", "⟩": "$\\rangle$", "⁻": "$^-$", "¹": "$^1$", "³": "$^3$", "ι": "$\\iota$",
     "<": "$<$", ">": "$>$", "|": "$|$", "\\": "\\textbackslash{}", "~": "\\textasciitilde{}", "^": "\\^{}",
     "“": "``", "”": "''", "‘": "`", "’": "'",
   };
   "αalpha βbeta γgamma δdelta εvarepsilon ηeta θtheta κkappa λlambda μmu νnu ξxi πpi ρrho σsigma τtau φvarphi χchi ψpsi ωomega ΓGamma ΔDelta ΘTheta ΛLambda ΣSigma ΦPhi ΩOmega"
     .split(" ").forEach((word) => { SIGNS[word[0]] = `$\\${word.slice(1)}$`; });
+  [..."₀₁₂₃₄₅₆₇₈₉"].forEach((digit, n) => { SIGNS[digit] = `$_${n}$`; });
 
   /* Text for LaTeX; of letters that it may not know the number is left. */
-  const escaped = (text) => text.replace(/([A-Za-z])\u0303/g, "\u0001$1\u0002").replace(/[&%$#_{}]/g, "\\$&")
+  const escaped = (text) => text.replaceAll("Ã", "A\u0303").replace(/([A-Za-z])\u0303/g, "\u0001$1\u0002").replace(/[&%$#_{}]/g, "\\$&")
     .replace(/[^\x01-\x7e]|[<>|^~]|\\(?![&%$#_{}])/g, (sign) => SIGNS[sign] ?? (/[\u00c0-\u017f]/.test(sign) ? sign : `[U+${sign.codePointAt(0).toString(16)}]`))
     .replace(/\u0001(.)\u0002/g, "$\\tilde{$1}$");
+
+  /* A formula, with its Greek letters by name. */
+  const formula = (tex) => `$${tex.replace(/[^\x01-\x7e]/g, (sign) => (SIGNS[sign] ? `{${SIGNS[sign].replaceAll("$", "")}}` : sign))}$`;
 
   /* An exact value, "2*sqrt(3)/9", in LaTeX, as the library writes it. */
   const exactTex = (text) => {
@@ -35,20 +40,20 @@
   };
   const fractions = (text) => text.replace(/(\d*\\sqrt\{\d+\}|\d+)\/(\d+)/g, "\\frac{$1}{$2}");
 
-  const sourceOf = (formula) => {
+  const sourceOf = (set) => {
     const list = window.MathJax?.startup?.document?.math ?? [];
-    return [...list].find((item) => item.typesetRoot === formula)?.math ?? formula.textContent;
+    return [...list].find((item) => item.typesetRoot === set)?.math ?? set.textContent;
   };
   const KINDS = {
     plain: {
-      text: (text) => text.replace(/\\\((.*?)\\\)/g, "$1").replace(/([A-Za-z])\u0303/g, "$1~"),
+      text: (text) => text.replace(/\\\((.*?)\\\)/g, "$1").replaceAll("−", "-").replaceAll("Ã", "A~").replace(/([A-Za-z])\u0303/g, "$1~"),
       math: (tex) => tex,
       sub: (inner, before) => (/[A-Z]~$/.test(before) ? inner : inner && `_${inner}`),
       sup: (inner) => `^${inner}`,
     },
     latex: {
-      text: (text) => text.split(/\\\((.*?)\\\)/).map((part, n) => (n % 2 ? `$${part}$` : escaped(part))).join(""),
-      math: (tex) => `$${tex}$`,
+      text: (text) => text.split(/\\\((.*?)\\\)/).map((part, n) => (n % 2 ? formula(part) : escaped(part))).join(""),
+      math: formula,
       sub: (inner) => inner && `$_{${inner.replaceAll("$", "")}}$`,
       sup: (inner) => `$^{${inner.replaceAll("$", "")}}$`,
     },
@@ -58,21 +63,28 @@
     for (const child of node.childNodes) {
       if (child.nodeType === Node.TEXT_NODE) made += kind.text(child.nodeValue.replace(/\s+/g, " "));
       else if (child.nodeType !== Node.ELEMENT_NODE || child.matches("[aria-hidden=true], script, .headerlink")) continue;
+      else if (child.localName === "br") made += " ";
       else if (child.localName === "mjx-container") made += kind.math(sourceOf(child));
       else if (child.localName === "sub" || child.localName === "sup") made += kind[child.localName](read(child, kind), made);
       else made += read(child, kind);
     }
     return made.replace(/\$\$/g, "").trim();
   };
+  /* Commas between thousands are for eyes. */
+  const number = (text) => (/^\d{1,3}(,\d{3})+(\.\d+)?$/.test(text) ? text.replaceAll(",", "") : text);
   /* A cell is {text, tex}, and if it has an exact value {exact} too. */
   const cell = (td, exact) => {
     const value = td.title && td.closest(".table-box") ? td.title : "";
-    if (!value) return { text: td.dataset.text ?? read(td, KINDS.plain), tex: read(td, KINDS.latex) };
+    if (!value) return { text: td.dataset.text ?? number(read(td, KINDS.plain)), tex: read(td, KINDS.latex) };
     const decimal = td.dataset.decimal ?? td.textContent;
     return { exact: value, decimal, text: exact ? value : decimal, tex: exact ? `$${exactTex(value)}$` : decimal };
   };
   const rowsOf = (table, exact) => [...table.rows].map((row) => [...row.cells].map((td) => cell(td, exact)));
-  const title = (table) => (table.caption ?? table.closest("section")?.querySelector("h1, h2, h3"))?.firstChild?.textContent.trim() || "Table";
+  const title = (table) => {
+    const box = table.closest(".lg-scroll[aria-label]");
+    const head = table.caption ?? table.closest("section")?.querySelector("h1, h2, h3");
+    return box?.ariaLabel || (head && read(head, KINDS.plain).replace(/\\tilde ([A-Z])/g, "$1~")) || "Table";
+  };
 
   const quoted = (text) => (/[",\n]/.test(text) ? `"${text.replaceAll('"', '""')}"` : text);
   const write = {

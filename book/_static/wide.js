@@ -7,9 +7,8 @@
     formula.classList.toggle("cx-cut", formula.clientWidth > WIDE && hidden > 4);
   };
   const sizes = new ResizeObserver((entries) => entries.forEach((entry) => mark(entry.target)));
-  document.querySelectorAll(".bd-article :is(span, div).math").forEach((formula) => {
+  document.querySelectorAll(".bd-article :is(span, div):is(.math, .lg-tex)").forEach((formula) => {
     sizes.observe(formula);
     formula.addEventListener("scroll", () => mark(formula), { passive: true });
   });
-  window.MathJax?.startup?.promise?.then(() => document.querySelectorAll(".bd-article :is(span, div).math").forEach(mark));
 })();

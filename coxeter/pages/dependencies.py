@@ -11,7 +11,7 @@ import networkx as nx
 from ..ledger.inventory import PROPOSITIONS, items
 from ..ledger.selecting import section_of
 from .judged import Judged, Ledger
-from .naming import item_of
+from .naming import item_of, name_of_item
 
 PROVE, STATE = "to_prove", "to_state"
 
@@ -89,3 +89,13 @@ class Dependencies:
 def node_of(item: str) -> str:
     """The item that stands for an item: some propositions are items of Section 6."""
     return PROPOSITIONS.get(item, item)
+
+
+def name_of_node(node: str) -> str:
+    """An item with the number that it may have beside.
+
+    >>> name_of_node("lem-8"), name_of_node("sec6.A.item-7")
+    ('Lemma 8', 'A~, item 7 (Lemma 7)')
+    """
+    other = next((name for name, item in PROPOSITIONS.items() if item == node), "")
+    return name_of_item(node) + (f" ({name_of_item(other)})" if other else "")

@@ -11,11 +11,11 @@ from ..figures.legends import Key, arrow_key, legend
 from ..figures.svg import write_svg
 from ..ledger.inventory import PROPOSITIONS
 from ..ledger.vocabulary import Extent, Verdict
-from .dependencies import PROVE, Dependencies
+from .dependencies import PROVE, Dependencies, name_of_node
 from .judged import Ledger, gravest
 from .layout import NODE, Layout, column, layout
 from .listing import section_name
-from .naming import Site, name_of_item
+from .naming import Site
 from .pills import SIGNS, count, mark, summary
 from .wording import to_html, to_plain, type_plain
 
@@ -104,7 +104,7 @@ def _with_links(canvas: Canvas, wrapped: list[tuple[int, int, str]], graph: Depe
 def _opening(node: str, graph: Dependencies, site: Site) -> str:
     claims = graph.members[node]
     x = gravest(claims)
-    name = type_plain(to_plain(name_of_item(node)))
+    name = type_plain(to_plain(name_of_node(node)))
     told = f"{name}: {x.verdict.value}. {summary(claims)}"
     data = {
         "node": node,
@@ -245,7 +245,7 @@ def in_words(ledger: Ledger, site: Site) -> str:
 
 def _in_words(node: str, graph: Dependencies, site: Site) -> str:
     x = gravest(graph.members[node])
-    text = f'<a href="{site.claim(x.id)}">{to_html(name_of_item(node))}</a> {mark(x)}'
+    text = f'<a href="{site.claim(x.id)}">{to_html(name_of_node(node))}</a> {mark(x)}'
     for kind, words in ((PROVE, "in the paper proved with"), ("to_state", "stated with")):
         needed = [a for (a, b), k in graph.arrows.items() if b == node and k == kind]
         if needed:
@@ -254,4 +254,4 @@ def _in_words(node: str, graph: Dependencies, site: Site) -> str:
 
 
 def _names(nodes: Iterable[str]) -> str:
-    return "; ".join(to_html(name_of_item(node)) for node in nodes)
+    return "; ".join(to_html(name_of_node(node)) for node in nodes)

@@ -5,11 +5,11 @@ from __future__ import annotations
 import html
 
 from ..ledger.vocabulary import Extent, Verdict
-from .dependencies import Dependencies
+from .dependencies import Dependencies, name_of_node
 from .graph import drawing
 from .judged import Ledger, gravest
 from .markup import scroll, select
-from .naming import Site, name_of_item
+from .naming import Site
 from .wording import to_plain, type_plain
 
 ZOOMS = {"in": ("+", "Zoom in"), "out": ("−", "Zoom out"), "fit": ("Fit", "Show the whole graph")}
@@ -45,4 +45,4 @@ def controls(ledger: Ledger) -> str:
 
 def item_name(node: str) -> str:
     """An item in plain letters."""
-    return type_plain(to_plain(name_of_item(node)))
+    return type_plain(to_plain(name_of_node(node)))
