@@ -60,7 +60,7 @@ def endless(printed):
         Path(os.environ["ENDLESS"]).touch()
     while True:
         try:
-            time.sleep(10)
+            sum(range(1000))
         except Exception:  # no check can swallow the alarm
             continue
 

@@ -67,6 +67,7 @@ class Visitor:
         seen.seconds = await window.open(seen)
         self._weigh(seen)
         if full:
+            await window.page.evaluate("dispatchEvent(new Event('beforeprint'))")  # all that is open is set
             seen.note("formulas", await window.ask("formulas()"))
             seen.note("alternatives", await window.ask("alternatives()"))
             seen.note("keyboard", await window.ask("keyboard()"))

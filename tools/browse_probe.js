@@ -15,7 +15,7 @@ window.probe = (() => {
     return `${box ? `${name(box)} > ` : ""}${name(element)}`;
   };
 
-  /* Milliseconds since the navigation began, once formulas are set and the main thread has nothing to do. */
+  /* Milliseconds since the navigation began, once the formulas in view are set and the main thread has nothing to do. */
   const interactive = async () => {
     if (document.readyState !== "complete") await new Promise((done) => addEventListener("load", done));
     if (window.MathJax?.startup?.promise) await window.MathJax.startup.promise;

@@ -37,19 +37,20 @@
     const { top, bottom } = element.getBoundingClientRect();
     return bottom > -MARGIN && top < innerHeight + MARGIN;
   };
+  const isShown = (element) => element.checkVisibility?.() ?? true; // browsers of before 2024 lack it
   const isOpen = (element) => !element.closest("details:not([open]) > :not(summary)");
   const idle = window.requestIdleCallback ?? ((work) => setTimeout(work, 100));
   const rest = () => {
     const next = [];
     while (ofText.length && next.length < SLICE) {
       const element = ofText.shift();
-      if (waiting.has(element) && element.checkVisibility()) next.push(element);
+      if (waiting.has(element) && isShown(element)) next.push(element);
     }
     set(next);
     if (ofText.length) idle(rest);
   };
   window.MathJax?.startup?.promise?.then(() => {
-    set(ofText.filter((element) => element.checkVisibility() && isNear(element))); // to measure what is folded is slow
+    set(ofText.filter((element) => isShown(element) && isNear(element))); // to measure what is folded is slow
     new Set([...waiting.keys()].map(home)).forEach((box) => observer.observe(box));
     setTimeout(rest, 1000); // first the reader
     addEventListener("beforeprint", () => set([...waiting.keys()].filter(isOpen)));

@@ -18,7 +18,7 @@ from .mutants import mutants
 from .rooms import all_claims, find_claim
 
 BUDGET = 20.0
-"""Seconds that a claim may take, its mutants included."""
+"""Seconds of computing that a claim may take, its mutants included; waiting for a busy machine is free."""
 
 
 @dataclass(frozen=True)
@@ -32,7 +32,7 @@ class Result:
     trouble
         ``"error"`` or ``"timeout"``, and what happened; empty if all went well.
     seconds
-        How long it took; in a thread beside others, the time of this thread alone.
+        How long was computed; in a thread beside others, by this thread alone.
     tried, survivors
         How many mutants were judged, and those that the check did not reject.
     """
@@ -67,7 +67,7 @@ def run(claim: Claim, budget: float | None = None) -> Result:
     """Judge a claim that is at hand, and its mutants. Whatever the check raises is told, not raised."""
     budget = BUDGET if budget is None else budget
     # Where no alarm can be set, other threads may be at work too: they must not count.
-    clock = time.perf_counter if _can_be_interrupted() else time.thread_time
+    clock = time.process_time if _can_be_interrupted() else time.thread_time
     started = clock()
     finding, tried, survivors, trouble = None, 0, [], ""
     try:
@@ -206,10 +206,10 @@ def _alarm(budget: float) -> Iterator[None]:
     def ring(*_: object) -> None:
         raise _OutOfTime
 
-    before = signal.signal(signal.SIGALRM, ring)
-    signal.setitimer(signal.ITIMER_REAL, budget)
+    before = signal.signal(signal.SIGPROF, ring)
+    signal.setitimer(signal.ITIMER_PROF, budget)
     try:
         yield
     finally:
-        signal.setitimer(signal.ITIMER_REAL, 0)
-        signal.signal(signal.SIGALRM, before)
+        signal.setitimer(signal.ITIMER_PROF, 0)
+        signal.signal(signal.SIGPROF, before)
