@@ -23,7 +23,9 @@ from .registry import MESH_MEASURES, measure, root
 
 @measure("edge_ratio", r"\epsilon", among=MESH_MEASURES)
 def edge_ratio(simplex: Any) -> Any:
-    """ε = l_min / l_max: the shortest edge over the longest. Larger is better.
+    """The shortest edge over the longest. Larger is better.
+
+    ``ε = l_min / l_max``.
 
     >>> from coxeter import Simplex
     >>> edge_ratio(Simplex([(0, 0), (3, 0), (0, 4)]))
@@ -34,7 +36,9 @@ def edge_ratio(simplex: Any) -> Any:
 
 @measure("inradius_to_longest_edge", r"\iota", among=MESH_MEASURES)
 def inradius_to_longest_edge(simplex: Any) -> Any:
-    """ι = r / L: inradius over the longest edge. Larger is better. Finite element error bounds have 1/ι.
+    """The inradius over the longest edge. Larger is better.
+
+    ``ι = r / L``; finite element error bounds have its inverse.
 
     >>> from coxeter import Simplex
     >>> inradius_to_longest_edge(Simplex([(0, 0), (3, 0), (0, 4)]))
@@ -45,10 +49,11 @@ def inradius_to_longest_edge(simplex: Any) -> Any:
 
 @measure("mean_ratio", r"\eta", among=MESH_MEASURES)
 def mean_ratio(simplex: Any) -> Any:
-    """η = d·det(S)^(2/d) / ‖S‖² = d(d+1)·((d!·vol)²/(d+1))^(1/d) / Σ l². Larger is better.
+    """The geometric mean of the eigenvalues of SᵀS over the arithmetic mean. Larger is better.
 
-    It is d times the geometric mean of the eigenvalues of SᵀS over their sum, so at most 1, and 1 for the
-    regular simplex alone. Source: Liu and Joe 1994 for d = 3; Knupp 2001.
+    So it is at most 1, and 1 for the regular simplex alone:
+    ``η = d·det(S)^(2/d) / ‖S‖² = d(d+1)·((d!·vol)²/(d+1))^(1/d) / Σ l²``. Source: Liu and Joe 1994 for d = 3;
+    Knupp 2001.
 
     >>> from coxeter import Simplex
     >>> mean_ratio(Simplex([(0, 0), (1, 0), (0, 1)]))
@@ -61,9 +66,10 @@ def mean_ratio(simplex: Any) -> Any:
 
 @measure("condition", r"\kappa^{-1}", among=MESH_MEASURES)
 def condition(simplex: Any) -> Any:
-    """1/κ = d / (‖S‖·‖S⁻¹‖) = d / √(Σ l² · Σ h⁻² / (d+1)). Larger is better.
+    """One over the condition number of S in the Frobenius norm, times d. Larger is better.
 
-    One over Knupp's condition number κ ≥ 1, which is 1 for the regular simplex alone. Source: Knupp 2001.
+    So it is at most 1, and 1 for the regular simplex alone:
+    ``1/κ = d / (‖S‖·‖S⁻¹‖) = d / √(Σ l² · Σ h⁻² / (d+1))``. Source: Knupp 2001.
 
     >>> from coxeter import Simplex
     >>> condition(Simplex([(0, 0), (1, 0), (0, 1)]))
