@@ -73,9 +73,8 @@ class Cards:
     @classmethod
     def of(cls, app: Sphinx) -> "Cards":
         """The cards of the book that is being made."""
-        if not hasattr(app, "_coxeter_cards"):
-            app._coxeter_cards = cls(app)  # type: ignore[attr-defined]
-        return app._coxeter_cards  # type: ignore[attr-defined,no-any-return]
+        cards: Cards = vars(app).setdefault("_coxeter_cards", cls(app))
+        return cards
 
     def needed(self, page: str, body: str) -> dict[str, str]:
         """The cards for the links of a page, by their addresses as they are written there."""

@@ -137,7 +137,8 @@ def site_from(docname: str) -> Site:
 def pages_of_old_ledgers(app: Sphinx, env: BuildEnvironment, *_: Any) -> list[str]:
     """All pages, if they were made when the library was another."""
     key = sources_key(left_out=())
-    before, env.ledger_key = getattr(env, "ledger_key", None), key  # type: ignore[attr-defined]
+    before = vars(env).get("ledger_key")
+    vars(env)["ledger_key"] = key  # kept with the environment from one build to the next
     return [] if before in (None, key) else sorted(env.found_docs)
 
 

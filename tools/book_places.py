@@ -32,9 +32,8 @@ def setup(app: Sphinx) -> dict[str, Any]:
 
 def places(env: BuildEnvironment) -> dict[str, dict[str, Place]]:
     """The best place of each claim in each chapter: is it a badge, of how many claims, page and section."""
-    if not hasattr(env, "claim_places"):
-        env.claim_places = {}  # type: ignore[attr-defined]
-    return env.claim_places  # type: ignore[attr-defined,no-any-return]
+    found: dict[str, dict[str, Place]] = vars(env).setdefault("claim_places", {})
+    return found
 
 
 def note_places(app: Sphinx, doctree: nodes.document) -> None:

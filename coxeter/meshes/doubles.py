@@ -26,9 +26,8 @@ def doubled_cells(mesh: Mesh, chunk: int) -> NDArray[np.int64]:
 def _doubled(mesh: Mesh, keys: NDArray[np.uint64], numbers: NDArray[np.int64]) -> NDArray[np.int64]:
     order = np.argsort(keys, kind="stable")
     ordered = keys[order]
-    same = np.flatnonzero(
-        ordered[1:] == ordered[:-1]
-    )  # places of two that share a key, and perhaps their points
+    # Two that share a key may share their points.
+    same = np.flatnonzero(ordered[1:] == ordered[:-1])
     cells = numbers[order[np.union1d(same, same + 1)]]
     _, first = np.unique(np.sort(mesh.cells[cells], axis=1), axis=0, return_index=True)
     return np.delete(cells, first)
